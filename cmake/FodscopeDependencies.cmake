@@ -1,0 +1,33 @@
+# Everything comes from Debian 12's packages; packaging/dependencies.txt lists them.
+find_package(Threads REQUIRED)
+find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(nanoflann REQUIRED)
+find_package(TBB REQUIRED)
+find_package(OpenSSL REQUIRED COMPONENTS Crypto)
+find_package(yaml-cpp REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs)
+find_package(embree 3 REQUIRED)
+find_package(SQLiteCpp REQUIRED)
+find_package(SQLite3 REQUIRED)
+find_package(Qt5 5.15 REQUIRED COMPONENTS Core Gui Widgets Svg PrintSupport Test)
+find_package(VTK 9.1 REQUIRED COMPONENTS
+    CommonCore CommonDataModel CommonTransforms FiltersCore FiltersGeneral FiltersSources GUISupportQt ImagingCore
+    InteractionStyle InteractionWidgets IOImage RenderingAnnotation RenderingCore RenderingFreeType RenderingLabel
+    RenderingOpenGL2)
+
+# PCL's own CMake package pulls VTK into every PCL target. Only the modules that need no VTK are used,
+# so they are taken from pkg-config, and core stays free of VTK.
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(PCL REQUIRED IMPORTED_TARGET pcl_registration pcl_features pcl_search pcl_filters pcl_kdtree pcl_common)
+
+find_path(QWT_INCLUDE_DIR qwt_plot.h PATH_SUFFIXES qwt REQUIRED)
+find_library(QWT_LIBRARY NAMES qwt-qt5 qwt REQUIRED)
+add_library(Qwt::Qwt INTERFACE IMPORTED)
+target_include_directories(Qwt::Qwt SYSTEM INTERFACE ${QWT_INCLUDE_DIR})
+target_link_libraries(Qwt::Qwt INTERFACE ${QWT_LIBRARY})
+
+if(FODSCOPE_BUILD_TESTS)
+    find_package(GTest REQUIRED)
+endif()

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/common/Progress.h"
+
+namespace fodscope {
+
+struct Neighbour {
+    std::uint32_t index = 0;
+    double squaredDistance_m2 = 0.0;
+};
+
+/// The one nearest-neighbour search that everything uses (a kd-tree of nanoflann, exact, in double precision). It keeps
+/// a view of the points: they must outlive it and not move. Answers do not depend on the number of threads; of points
+/// at the same distance the one with the lower index comes first.
+class NeighbourIndex {
+  public:
+    /// @throws Error when there are no points
+    explicit NeighbourIndex(std::span<const Eigen::Vector3d> points);
+    ~NeighbourIndex();
+    NeighbourIndex(NeighbourIndex&&) noexcept;
+    NeighbourIndex& operator=(NeighbourIndex&&) noexcept;
+
+    std::size_t size() const;
+
+    Neighbour nearest(const Eigen::Vector3d& query) const;
+
+    /// @return the min(k, size()) nearest points, nearest first; a query that is a point of the index finds itself
+    std::vector<Neighbour> kNearest(const Eigen::Vector3d& query, std::size_t k) const;
+
+    /// @return the points at most `radius_m` away, nearest first
+    std::vector<Neighbour> withinRadius(const Eigen::Vector3d& query, double radius_m) const;
+
+    /// The nearest point of each query, in parallel.
+    std::vector<Neighbour> nearestOfEach(std::span<const Eigen::Vector3d> queries, Progress& progress) const;
+
+    /// Calls `use(i, neighbours)` once for every query, in parallel and in any order, with the k nearest points.
+    void forEachKNearest(std::span<const Eigen::Vector3d> queries, std::size_t k,
+                         const std::function<void(std::size_t, std::span<const Neighbour>)>& use,
+                         Progress& progress) const;
+
+  private:
+    struct Tree;
+    std::unique_ptr<Tree> tree_;
+};
+
+}  // namespace fodscope

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/inspection/DetectionPipeline.h"
+#include "core/inspection/InspectionState.h"
+#include "core/inspection/Journal.h"
+
+namespace fodscope {
+
+/// One inspection and what may be done to it. Each act goes to the journal first; only when it is safe there does the
+/// state change. Long work (detection, planning) is done outside by the stages' functions, in any thread, and its
+/// result adopted here. Window, command line and tests drive the same class. Used from one thread.
+class Inspection {
+  public:
+    /// A new inspection, or one read back from a session file.
+    /// @param journal must outlive the inspection
+    Inspection(InspectionState state, Journal& journal);
+
+    const InspectionState& state() const { return state_; }
+
+    void setHeader(const InspectionHeader& header);
+    void setReference(const SourceFile& source, std::shared_ptr<const ReferenceMap> reference);
+    void setMap(const SourceFile& source);
+    void setParameters(const Parameters& parameters);
+
+    /// Takes over the result of a detection. Candidate ids are carried over from the candidates before, until the
+    /// visits have begun.
+    /// @throws Error once the visits have begun: candidates are frozen then
+    void adoptDetection(const Parameters& parameters, const DetectionResult& result);
+    bool candidatesAreFrozen() const;
+
+    /// @throws Error when there are no candidates, or visits have begun
+    void adoptPlan(const OccupancyGrid& grid_map, const VisitPlan& plan);
+    void updateVisit(const Visit& visit);
+    /// Gives the photo its id and fingerprint, and keeps it.
+    /// @return the photo as kept
+    const Photo& addPhoto(Photo photo);
+
+    void setLabelSet(const LabelSet& labelSet);
+    /// @throws Error for an unknown photo or label, no labels, `no FOD` beside others, or an empty labeller
+    void decide(const std::string& photoId, const std::string& labeller, const std::vector<PhotoLabel>& labels,
+                const std::string& comment, UtcTime time);
+    /// Takes the labeller's latest act back: the decision before it on the same photo counts again, or none.
+    /// @return the photo whose decision was taken back, or empty when there is nothing to undo
+    std::optional<std::string> undoDecision(const std::string& labeller, UtcTime time);
+
+    void reportIssued(const ReportRecord& report);
+
+  private:
+    InspectionState state_;
+    Journal& journal_;
+};
+
+/// The plan's input from a detection: targets of all candidates, in their order.
+std::vector<PlanTarget> planTargets(const CandidateSet& candidates);
+
+/// Plans visits for the candidates of a state on a grid: FOD-less sight map, inflation, flood fill, waypoints, order.
+VisitPlan planInspection(const InspectionState& state, const OccupancyGrid& grid_map, const Pose2& robot_map,
+                         Progress& progress);
+
+/// `candidates.json` of the file contract: equal input gives an equal text.
+std::string candidatesJson(const SourceFile& reference, const SourceFile& map, const DetectionRecord& detection);
+
+}  // namespace fodscope

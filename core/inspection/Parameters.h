@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/cloud/OutlierRemoval.h"
+#include "core/coverage/Coverage.h"
+#include "core/detection/Candidates.h"
+#include "core/detection/Discrepancy.h"
+#include "core/planning/CostMap.h"
+#include "core/planning/OccupancyGrid.h"
+#include "core/planning/Waypoints.h"
+#include "core/registration/Registration.h"
+#include "core/robot/VisitRunner.h"
+
+namespace fodscope {
+
+/// The settings of every stage of an inspection: one record that the window, the command line and the report share.
+struct Parameters {
+    OutlierRemovalSettings denoise;
+    RegistrationSettings registration;
+    DiscrepancySettings discrepancy;
+    CandidateSettings candidates;
+    CoverageSettings coverage;
+    OccupancySettings occupancy;
+    CostMapSettings costMap;
+    WaypointSettings waypoints;
+    VisitSettings visits;
+
+    bool operator==(const Parameters&) const = default;
+};
+
+/// @return the parameters of a preset; "paper-physical" is the default
+/// @throws Error for an unknown name, naming the known ones
+Parameters presetParameters(const std::string& name);
+
+/// Reads YAML, one section per stage, over `base`.
+/// @throws Error for an unknown key (naming the nearest known one), a value of the wrong type or out of range; all
+///         problems are listed at once
+Parameters readParameters(const std::filesystem::path& file, const Parameters& base);
+Parameters parseParameters(const std::string& yaml, const std::string& subject, const Parameters& base);
+
+/// @return the whole record as commented YAML, which parseParameters reads back to an equal record
+std::string parametersYaml(const Parameters& parameters);
+
+}  // namespace fodscope

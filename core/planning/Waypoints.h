@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/common/Progress.h"
+#include "core/planning/CostMap.h"
+
+namespace fodscope {
+
+struct WaypointSettings {
+    /// Ring round the candidate, from its centroid (published parameters of the paper's robot: 0.5 to 0.75 m).
+    double minimumDistance_m = 0.5;
+    double maximumDistance_m = 0.75;
+    /// The ring is widened by this share a try, inwards and outwards, until a pose is found.
+    double widening = 0.1;
+    int maximumTries = 10;
+    /// Poses on cells with at least this cost, of 100, collide (paper's robot: 85).
+    double costThresholdPercent = 85.0;
+    /// Step of the candidate poses along the ring and across it.
+    double angleStep_rad = 0.0872664625997165;
+    double distanceStep_m = 0.05;
+    /// Ray step in cells (paper's robot: 0.02 of a 1 cm cell; coarser grids need no finer step).
+    double rayStep_cells = 0.25;
+
+    bool operator==(const WaypointSettings&) const = default;
+};
+
+/// What the planner needs to know of a candidate.
+struct PlanTarget {
+    std::string candidateId;
+    Eigen::Vector3d centroid_map = Eigen::Vector3d::Zero();
+    Eigen::Vector3d size_m = Eigen::Vector3d::Zero();
+};
+
+enum class WaypointStatus { Ok, Unreachable, Hidden, TooCloseToWall, OutsideGrid };
+
+/// @return "ok" or the reason in the words of the file contract
+std::string toString(WaypointStatus status);
+
+/// A robot pose from which a candidate is photographed.
+struct Waypoint {
+    /// "W-01" in visit order; candidates without a pose come last.
+    std::string id;
+    std::vector<std::string> candidateIds;
+    /// Empty when there is none; `status` tells why.
+    std::optional<Pose2> pose_map;
+    /// Cost summed along the line of sight.
+    double cost = 0.0;
+    WaypointStatus status = WaypointStatus::Unreachable;
+    /// Drive from the previous waypoint (or the robot), map frame.
+    DrivePath drive;
+};
+
+/// Waypoints in visit order. `length_m` is the drive over all of them along the cost map.
+struct VisitPlan {
+    std::vector<Waypoint> waypoints;
+    double length_m = 0.0;
+    Pose2 start_map;
+};
+
+/// Ring of poses round each target, collision test against the inflated cost, line of sight through the FOD-less cost
+/// map, least summed cost wins (ties: the smaller angle, then the smaller distance), facing the target; then
+/// nearest-next order by travel distance. Paper: "Waypoint Generation". Deterministic: no random sampling.
+/// @param collision cost map of the full grid, flood filled from the robot
+/// @param sight cost map of the FOD-less grid on the same lattice
+VisitPlan planVisits(std::span<const PlanTarget> targets, const CostMap& collision, const CostMap& sight,
+                     const Pose2& robot_map, const WaypointSettings& settings, Progress& progress);
+
+/// `waypoints.json` of the file contract.
+std::string waypointsJson(const VisitPlan& plan);
+
+}  // namespace fodscope

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/common/Geometry.h"
+#include "core/common/UtcTime.h"
+
+namespace fodscope {
+
+/// A pinhole without distortion, pixels.
+struct CameraIntrinsics {
+    int width_px = 0;
+    int height_px = 0;
+    double fx_px = 0.0;
+    double fy_px = 0.0;
+    double cx_px = 0.0;
+    double cy_px = 0.0;
+
+    bool operator==(const CameraIntrinsics&) const = default;
+};
+
+/// A photo as the robot sent it. The bytes are never changed.
+struct Photo {
+    /// "P-001", in order of arrival.
+    std::string id;
+    std::string waypointId;
+    std::vector<std::string> candidateIds;
+    UtcTime taken;
+    /// Optical frame (z forward, x right, y down; REP 103).
+    Transform T_map_from_camera = Transform::Identity();
+    CameraIntrinsics intrinsics;
+    /// "image/jpeg" or "image/png".
+    std::string mediaType;
+    std::vector<std::byte> bytes;
+    std::string sha256;
+};
+
+}  // namespace fodscope
