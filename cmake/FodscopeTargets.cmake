@@ -38,3 +38,20 @@ function(fodscope_add_test name)
     add_test(NAME ${name} COMMAND ${name})
     set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
 endfunction()
+
+# fodscope_add_ui_test(NAME SOURCES file... DEPENDS target... [LABELS label...] [TIMEOUT seconds])
+# makes one GoogleTest program whose main() holds the QApplication, as the workstation sets it up.
+# The tests redirect HOME so that no setting of the user is read or written.
+function(fodscope_add_ui_test name)
+    cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;DEPENDS;LABELS" ${ARGN})
+    if(NOT ARG_TIMEOUT)
+        set(ARG_TIMEOUT 120)
+    endif()
+    add_executable(${name} ${ARG_SOURCES} ${PROJECT_SOURCE_DIR}/tests/ui/UiTestMain.cpp)
+    target_link_libraries(${name} PRIVATE fodscope_options ${ARG_DEPENDS} fodscope::theme Qt5::Test GTest::gtest GTest::gmock)
+    target_compile_definitions(${name} PRIVATE
+        FODSCOPE_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
+        FODSCOPE_RESOURCES="${PROJECT_SOURCE_DIR}/resources")
+    add_test(NAME ${name} COMMAND ${name})
+    set_tests_properties(${name} PROPERTIES LABELS "ui;${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
+endfunction()
