@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "ui/plan/PlanScene.h"
+
+namespace fodscope {
+
+/// The 2D cost map with candidates, waypoints in visit order, route and robot. Wheel zooms at the cursor, drag pans,
+/// click selects.
+class PlanView : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit PlanView(QWidget* parent = nullptr);
+    ~PlanView() override;
+
+    /// Keeps zoom and place unless the grid's extent changed.
+    void setScene(PlanScene scene);
+    void setVisits(const std::vector<Visit>& visits);
+    /// Call it about once a second even when nothing moved, so that the shown age is true; empty: no robot.
+    void setRobot(const std::optional<PlanRobot>& robot);
+    /// Empty ids select nothing. Neither emits a signal.
+    void setSelectedCandidate(const QString& candidateId);
+    void setSelectedWaypoint(const QString& waypointId);
+
+    const PlanScene& scene() const;
+
+  public slots:
+    void fit();
+
+  signals:
+    void waypointSelected(const QString& waypointId);
+    void candidateSelected(const QString& candidateId);
+    /// Double click.
+    void candidateActivated(const QString& candidateId);
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    bool event(QEvent* event) override;
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace fodscope
