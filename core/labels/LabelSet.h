@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fodscope {
@@ -31,7 +32,16 @@ struct LabelSet {
     bool operator==(const LabelSet&) const = default;
 };
 
-/// Reads YAML: `name`, `labels: [{name, key}]`; adds `no FOD` (0) and `not sure` (U).
+/// Finds the label for an object type of a world or a trial: case does not count, and `_` and `-` are as good as a
+/// blank, so that "tape_measure" finds "tape measure".
+/// @return null when the set has no such label
+const Label* findByType(const LabelSet& labels, std::string_view type);
+
+/// @return FOD for a name that the set does not know: it was decided with another set, which named it
+LabelKind kindOf(const LabelSet& labels, const std::string& labelName);
+
+/// Reads YAML: `name`, `labels: [{name, key}]`; adds `no FOD` (0) and `not sure` (U). Keys are 1…9 and letters; a label
+/// without one gets the lowest digit that is free.
 /// @throws Error for a missing file, no labels, a name or key that is taken
 LabelSet readLabelSet(const std::filesystem::path& file);
 LabelSet parseLabelSet(const std::string& yaml, const std::string& subject);
