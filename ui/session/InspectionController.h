@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <memory>
+#include <optional>
+
+#include "core/inspection/Inspection.h"
+#include "core/inspection/ReportModel.h"
+#include "ui/session/CandidatePreview.h"
+#include "ui/session/ReferenceSources.h"
+#include "ui/session/Steps.h"
+#include "ui/session/TaskRunner.h"
+#include "ui/session/UndoHistory.h"
+#include "ui/session/VisitDriver.h"
+
+namespace fodscope {
+
+class SessionFile;
+
+/// The map of the open inspection, while its file is at hand (a reopened session has its voxels, not its points).
+struct LoadedMap {
+    std::shared_ptr<const PointCloud> cloud;
+    /// Median distance of a point to its nearest neighbour.
+    double spacing_m = 0.0;
+};
+
+/// The one wrapper of an inspection for Qt: panels read its state, send it commands and learn of changes by signals.
+/// Long work runs off the GUI thread and its results are taken over on it. No function throws: what goes wrong becomes
+/// errorRaised() with one sentence.
+class InspectionController : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit InspectionController(QObject* parent = nullptr);
+    ~InspectionController() override;
+
+    // --- the session -------------------------------------------------------------------------------------------------
+    bool isOpen() const { return inspection_ != nullptr; }
+    /// Of the open inspection; an empty one when none is open.
+    const InspectionState& state() const;
+    QString sessionPath() const;
+    void createSession(const QString& file, const InspectionHeader& header);
+    void openSession(const QString& file);
+    void closeSession();
+    void setHeader(const InspectionHeader& header);
+    /// A new session on the built-in tank: reference from simulated nominal maps, map, detection, plan and robot.
+    void createBuiltinTank(const QString& file);
+
+    // --- reference and map -------------------------------------------------------------------------------------------
+    void loadReference(const ReferenceRequest& request);
+    void loadMap(const QString& file);
+    const std::optional<LoadedMap>& loadedMap() const { return map_; }
+    /// A 4×4 transform, reference from map, from a CSV file replaces the registration.
+    void loadGivenTransform(const QString& csvFile);
+    void clearGivenTransform();
+    bool hasGivenTransform() const { return givenTransform_.has_value(); }
+    /// Aligns the map, measures the discrepancy and finds candidates.
+    void detect();
+    void setParameters(const Parameters& parameters);
+
+    // --- candidates --------------------------------------------------------------------------------------------------
+    /// Shows candidates for other settings without keeping them; the last call wins.
+    void previewCandidates(const CandidateSettings& settings);
+    /// Keeps them.
+    void commitCandidates(const CandidateSettings& settings);
+    bool candidatesAreFrozen() const;
+    /// The candidates on the screen: those of the preview while one is shown, else the committed ones; may be null.
+    std::shared_ptr<const CandidateSet> shownCandidates() const;
+    CandidateSettings shownCandidateSettings() const;
+    bool isPreviewing() const { return preview_ != nullptr; }
+    const Candidate* findShownCandidate(const QString& id) const;
+    /// One verdict for each committed candidate, in their order.
+    const std::vector<CandidateVerdict>& verdicts() const { return verdicts_; }
+
+    /// The candidate selected everywhere; empty: none.
+    QString selectedCandidate() const { return selected_; }
+    void selectCandidate(const QString& id);
+    /// @param step +1 next, −1 previous, wrapping round
+    void selectNeighbour(int step);
+    /// Selects it and asks the views to fly there.
+    void flyToCandidate(const QString& id);
+
+    // --- plan and visits ---------------------------------------------------------------------------------------------
+    /// Where the route starts: the robot's pose when it is known, else what was set.
+    std::optional<Pose2> robotStart() const;
+    void setRobotStart(const Pose2& pose_map);
+    /// A map_server grid for the plan instead of one made from the map.
+    void loadGrid(const QString& yamlFile);
+    void planVisits();
+    /// A simulated robot in a world file, or in the built-in tank.
+    void connectWorldRobot(const QString& worldFile);
+    void connectBuiltinRobot();
+    VisitDriver& visits() { return visits_; }
+    const VisitDriver& visits() const { return visits_; }
+    /// Cancels every goal of the robot at once.
+    void stopRobot();
+
+    // --- photos and decisions ----------------------------------------------------------------------------------------
+    const Photo* findPhoto(const QString& photoId) const;
+    QString labeller() const { return labeller_; }
+    void setLabeller(const QString& name);
+    void loadLabelSet(const QString& yamlFile);
+    /// @return whether the decision is safe in the session file
+    bool decide(const QString& photoId, const std::vector<PhotoLabel>& labels, const QString& comment);
+    /// The photo to be labelled, one everywhere.
+    QString selectedPhoto() const { return selectedPhoto_; }
+    void selectPhoto(const QString& photoId);
+    /// Selects the next photo without a decision of the labeller.
+    void selectNextUndecidedPhoto();
+
+    // --- undo, report, tasks -----------------------------------------------------------------------------------------
+    const UndoHistory& history() const { return history_; }
+    void undo();
+    void redo();
+    ReportModel reportModel() const;
+    void recordReport(const ReportRecord& report);
+    TaskRunner& tasks() { return tasks_; }
+    const TaskRunner& tasks() const { return tasks_; }
+    /// The states of the steps with the running task laid over them.
+    std::array<StepState, kStepCount> steps() const;
+    /// Shows a sentence as an error; for windows whose own work failed.
+    void raiseError(const QString& sentence);
+
+  signals:
+    /// Another inspection is open, or none: everything shown must be made anew.
+    void sessionChanged();
+    void headerChanged();
+    void referenceChanged();
+    void mapChanged();
+    void parametersChanged();
+    /// A detection was adopted (or is gone).
+    void detectionChanged();
+    /// The candidates on the screen changed: by a preview, a commit or a detection.
+    void candidatesChanged();
+    void selectionChanged(const QString& candidateId);
+    void flyToRequested(const QString& candidateId);
+    void planChanged();
+    void visitsChanged();
+    void robotChanged();
+    void photosChanged();
+    void photoArrived(const QString& photoId);
+    void photoSelectionChanged(const QString& photoId);
+    void decisionsChanged();
+    void labelSetChanged();
+    void labellerChanged();
+    void reportIssued();
+    void historyChanged();
+    /// The state of a step changed.
+    void stepsChanged();
+    void errorRaised(const QString& sentence);
+    void noticeRaised(const QString& sentence);
+
+  private:
+    struct OpenedSession;
+
+    void adoptSession(std::unique_ptr<SessionFile> file, InspectionState state);
+    void adoptMap(const SourceFile& source, LoadedMap map);
+    void adoptCandidates(const Parameters& parameters, const DetectionResult& result);
+    void commitCandidatesWithoutHistory(const CandidateSettings& settings);
+    void dropPreview();
+    void refreshVerdicts();
+    void setPlan(const OccupancyGrid& grid_map, const VisitPlan& plan);
+    void recordDecision(const std::string& photoId, const std::vector<PhotoLabel>& labels, const std::string& comment);
+    /// Runs an act that may fail and turns what it throws into errorRaised().
+    bool attempt(const std::function<void()>& act);
+    void connectParts();
+
+    TaskRunner tasks_;
+    CandidatePreview previewer_;
+    VisitDriver visits_;
+    UndoHistory history_;
+
+    std::unique_ptr<SessionFile> session_;
+    std::unique_ptr<Inspection> inspection_;
+    InspectionState nothing_;
+    std::shared_ptr<DetectionPipeline> pipeline_;
+    std::optional<LoadedMap> map_;
+    std::optional<Transform> givenTransform_;
+    std::shared_ptr<const CandidateSet> preview_;
+    CandidateSettings previewSettings_;
+    std::vector<CandidateVerdict> verdicts_;
+    QString selected_;
+    QString selectedPhoto_;
+    QString labeller_;
+    std::optional<Pose2> robotStart_;
+    std::optional<OccupancyGrid> givenGrid_;
+};
+
+}  // namespace fodscope

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "core/cloud/PointCloud.h"
+#include "core/inspection/InspectionState.h"
+#include "core/reference/CadReference.h"
+#include "core/reference/MeanReference.h"
+
+namespace fodscope {
+
+enum class ReferenceKind {
+    Cad,         ///< a mesh, sampled
+    Ready,       ///< a reference map made earlier, or any cloud without covariances
+    NominalMaps  ///< maps without FOD: their mean, with covariances
+};
+
+/// What a reference map is to be made from.
+struct ReferenceRequest {
+    ReferenceKind kind = ReferenceKind::Ready;
+    std::vector<std::filesystem::path> files;
+    /// Metres in one unit of the mesh.
+    double meshScale = 1.0;
+    CadReferenceSettings cad;
+    MeanReferenceSettings mean;
+    /// Nominal maps are moved into the frame of this mesh or map; empty: into that of the first of them.
+    std::filesystem::path alignTo;
+};
+
+/// @return the request that the files themselves suggest: one mesh, one reference, or several maps
+ReferenceRequest requestFor(const std::vector<std::filesystem::path>& files);
+
+struct LoadedReference {
+    SourceFile source;
+    std::shared_ptr<const ReferenceMap> reference;
+};
+
+/// Reads the files and makes the reference map. For a worker thread.
+/// @throws Error; Cancelled
+LoadedReference makeReference(const ReferenceRequest& request, Progress& progress);
+
+}  // namespace fodscope
