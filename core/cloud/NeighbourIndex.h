@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/common/Progress.h"
@@ -18,11 +19,14 @@ struct Neighbour {
 };
 
 /// The one nearest-neighbour search that everything uses (a kd-tree of nanoflann, exact, in double precision). It keeps
-/// a view of the points: they must outlive it and not move. Answers do not depend on the number of threads; of points
-/// at the same distance the one with the lower index comes first.
+/// its own copy of the points, in an order that is kind to the cache. Answers do not depend on the number of threads;
+/// of points at the same distance the one with the lower index comes first.
+///
+/// The functions that take a Progress look at it often enough to be cancelled at once; with a stage name they also
+/// report their fraction under that name.
 class NeighbourIndex {
   public:
-    /// @throws Error when there are no points
+    /// @throws Error when there are no points, or one is not finite
     explicit NeighbourIndex(std::span<const Eigen::Vector3d> points);
     ~NeighbourIndex();
     NeighbourIndex(NeighbourIndex&&) noexcept;
@@ -39,12 +43,13 @@ class NeighbourIndex {
     std::vector<Neighbour> withinRadius(const Eigen::Vector3d& query, double radius_m) const;
 
     /// The nearest point of each query, in parallel.
-    std::vector<Neighbour> nearestOfEach(std::span<const Eigen::Vector3d> queries, Progress& progress) const;
+    std::vector<Neighbour> nearestOfEach(std::span<const Eigen::Vector3d> queries, Progress& progress,
+                                         const std::string& stage = {}) const;
 
     /// Calls `use(i, neighbours)` once for every query, in parallel and in any order, with the k nearest points.
     void forEachKNearest(std::span<const Eigen::Vector3d> queries, std::size_t k,
-                         const std::function<void(std::size_t, std::span<const Neighbour>)>& use,
-                         Progress& progress) const;
+                         const std::function<void(std::size_t, std::span<const Neighbour>)>& use, Progress& progress,
+                         const std::string& stage = {}) const;
 
   private:
     struct Tree;

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "core/cloud/OutlierRemoval.h"
+
+#include <cmath>
+#include <numeric>
+
+#include "core/cloud/NeighbourIndex.h"
+#include "core/common/Error.h"
+
+namespace fodscope {
+namespace {
+
+void check(const OutlierRemovalSettings& settings) {
+    if (settings.neighbours < 1) {
+        throw Error("denoise.neighbours", "must be at least 1, not " + std::to_string(settings.neighbours),
+                    "give a whole number such as 50");
+    }
+    if (!(settings.standardDeviations > 0.0) || !std::isfinite(settings.standardDeviations)) {
+        throw Error("denoise.standardDeviations", "must be greater than 0", "give a number such as 2.0");
+    }
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> keptByOutlierRemoval(std::span<const Eigen::Vector3d> points,
+                                                const OutlierRemovalSettings& settings, Progress& progress) {
+    if (settings.enabled) check(settings);
+    std::vector<std::uint32_t> kept(points.size());
+    std::iota(kept.begin(), kept.end(), 0u);
+    // With fewer than two points there is no spread to judge by.
+    if (!settings.enabled || points.size() < 2) return kept;
+
+    std::vector<double> meanDistances(points.size());
+    const NeighbourIndex index(points);
+    index.forEachKNearest(
+        points, static_cast<std::size_t>(settings.neighbours),
+        [&](std::size_t i, std::span<const Neighbour> neighbours) {
+            double sum = 0.0;
+            for (const Neighbour& neighbour : neighbours)
+                sum += std::sqrt(neighbour.squaredDistance_m2);
+            meanDistances[i] = sum / static_cast<double>(neighbours.size());
+        },
+        progress, "removing outliers");
+
+    const double count = static_cast<double>(points.size());
+    const double mean = std::accumulate(meanDistances.begin(), meanDistances.end(), 0.0) / count;
+    double squares = 0.0;
+    for (const double distance : meanDistances)
+        squares += (distance - mean) * (distance - mean);
+    const double limit = mean + settings.standardDeviations * std::sqrt(squares / (count - 1.0));
+    // Equally spaced points have no spread: none of them is an outlier.
+    if (squares == 0.0) return kept;
+    std::erase_if(kept, [&](std::uint32_t i) { return !(meanDistances[i] < limit); });
+    return kept;
+}
+
+PointCloud select(const PointCloud& cloud, std::span<const std::uint32_t> indices) {
+    PointCloud selected;
+    selected.droppedNonFinite = cloud.droppedNonFinite;
+    selected.points.reserve(indices.size());
+    for (const std::uint32_t index : indices)
+        selected.points.push_back(cloud.points[index]);
+    if (!cloud.colours.empty()) {
+        selected.colours.reserve(indices.size());
+        for (const std::uint32_t index : indices)
+            selected.colours.push_back(cloud.colours[index]);
+    }
+    return selected;
+}
+
+}  // namespace fodscope
