@@ -24,6 +24,7 @@ class Inspection {
     const InspectionState& state() const { return state_; }
 
     void setHeader(const InspectionHeader& header);
+    /// @throws Error once the visits have begun, as setMap() does: the photos show candidates of the ones before
     void setReference(const SourceFile& source, std::shared_ptr<const ReferenceMap> reference);
     void setMap(const SourceFile& source);
     void setParameters(const Parameters& parameters);
@@ -52,6 +53,8 @@ class Inspection {
     void reportIssued(const ReportRecord& report);
 
   private:
+    void requireUnfrozen(const std::string& what) const;
+
     InspectionState state_;
     Journal& journal_;
 };

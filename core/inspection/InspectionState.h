@@ -27,13 +27,20 @@ struct InspectionHeader {
     std::string robot;
     UtcTime created;
     std::string softwareVersion;
+
+    bool operator==(const InspectionHeader&) const = default;
 };
+
+/// @return a header with a random id, the time and this software's version; the rest is for people to fill in
+InspectionHeader newInspectionHeader();
 
 /// A file that an inspection rests on.
 struct SourceFile {
     std::string path;
     std::string sha256;
     std::size_t points = 0;
+
+    bool operator==(const SourceFile&) const = default;
 };
 
 /// Candidates with all that they rest on. The clouds are shared and never changed.
@@ -52,6 +59,8 @@ struct ReportRecord {
     std::string issuedBy;
     std::string fileName;
     std::string sha256;
+
+    bool operator==(const ReportRecord&) const = default;
 };
 
 /// Everything about one inspection: what a session file holds and a report tells.
@@ -73,6 +82,24 @@ struct InspectionState {
     std::vector<Decision> decisions;
     std::vector<ReportRecord> reports;
 };
+
+/// How acts change the state: the same for an act that happens and for one that is read back from a session file.
+/// A reference or map of another content makes detection and plan void, for they rested on the one before.
+void applyReference(InspectionState& state, const SourceFile& source, std::shared_ptr<const ReferenceMap> reference);
+void applyMap(InspectionState& state, const SourceFile& source);
+/// Its parameters become those of the inspection; the plan for earlier candidates is void.
+void applyDetection(InspectionState& state, const DetectionRecord& detection, int highestCandidateNumber);
+void applyPlan(InspectionState& state, const OccupancyGrid& grid_map, const VisitPlan& plan,
+               const std::vector<Visit>& visits);
+/// Replaces the visit to the same waypoint.
+/// @return false when the plan has no such waypoint
+bool applyVisit(InspectionState& state, const Visit& visit);
+
+/// @return whether a visit has begun or a photo exists: candidate ids may not change from then on
+bool visitsHaveBegun(const InspectionState& state);
+
+/// @return the photo with the id, or null
+const Photo* findPhoto(const InspectionState& state, const std::string& photoId);
 
 /// @return one verdict for each candidate, in the candidates' order
 std::vector<CandidateVerdict> verdictsOf(const InspectionState& state);

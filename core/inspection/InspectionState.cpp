@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "core/inspection/InspectionState.h"
+
+#include <algorithm>
+#include <random>
+
+#include "core/common/Version.h"
+
+namespace fodscope {
+namespace {
+
+std::string randomId() {
+    constexpr const char* kDigits = "0123456789abcdef";
+    std::random_device random;
+    std::uniform_int_distribution<int> digit(0, 15);
+    std::string id;
+    for (int i = 0; i < 32; ++i) {
+        id += kDigits[digit(random)];
+    }
+    return id;
+}
+
+void dropPlan(InspectionState& state) {
+    state.grid_map.reset();
+    state.plan.reset();
+    state.visits.clear();
+}
+
+void dropDetection(InspectionState& state) {
+    state.detection.reset();
+    dropPlan(state);
+}
+
+bool hasBegun(const Visit& visit) {
+    return visit.state != VisitState::Draft || visit.tries > 0 || !visit.goalId.empty();
+}
+
+}  // namespace
+
+InspectionHeader newInspectionHeader() {
+    InspectionHeader header;
+    header.id = randomId();
+    header.created = UtcTime::now();
+    header.softwareVersion = kVersion;
+    return header;
+}
+
+void applyReference(InspectionState& state, const SourceFile& source, std::shared_ptr<const ReferenceMap> reference) {
+    if (!state.referenceSource || state.referenceSource->sha256 != source.sha256) dropDetection(state);
+    state.referenceSource = source;
+    state.reference = std::move(reference);
+}
+
+void applyMap(InspectionState& state, const SourceFile& source) {
+    if (!state.mapSource || state.mapSource->sha256 != source.sha256) dropDetection(state);
+    state.mapSource = source;
+}
+
+void applyDetection(InspectionState& state, const DetectionRecord& detection, int highestCandidateNumber) {
+    dropPlan(state);
+    state.parameters = detection.parameters;
+    state.detection = detection;
+    state.highestCandidateNumber = highestCandidateNumber;
+}
+
+void applyPlan(InspectionState& state, const OccupancyGrid& grid_map, const VisitPlan& plan,
+               const std::vector<Visit>& visits) {
+    state.grid_map = grid_map;
+    state.plan = plan;
+    state.visits = visits;
+}
+
+bool applyVisit(InspectionState& state, const Visit& visit) {
+    const auto found = std::ranges::find(state.visits, visit.waypointId, &Visit::waypointId);
+    if (found == state.visits.end()) return false;
+    *found = visit;
+    return true;
+}
+
+bool visitsHaveBegun(const InspectionState& state) {
+    return !state.photos.empty() || std::ranges::any_of(state.visits, hasBegun);
+}
+
+const Photo* findPhoto(const InspectionState& state, const std::string& photoId) {
+    const auto found = std::ranges::find(state.photos, photoId, &Photo::id);
+    return found == state.photos.end() ? nullptr : &*found;
+}
+
+std::vector<CandidateVerdict> verdictsOf(const InspectionState& state) {
+    if (!state.detection || !state.detection->candidates) return {};
+    std::vector<std::string> ids;
+    for (const Candidate& candidate : state.detection->candidates->candidates) {
+        ids.push_back(candidate.id);
+    }
+    std::vector<PhotoSubject> photos;
+    for (const Photo& photo : state.photos) {
+        photos.push_back({photo.id, photo.candidateIds});
+    }
+    return resolveVerdicts(ids, photos, state.decisions, state.labelSet);
+}
+
+}  // namespace fodscope
