@@ -19,20 +19,21 @@ enum class ThemeKind { Dark, Light };
 /// The colours of the visual language. Each means one thing; see the comments.
 struct Theme {
     ThemeKind kind = ThemeKind::Dark;
-    QColor surface0;    ///< window, 3D view, photo surround
-    QColor surface1;    ///< panels
-    QColor surface2;    ///< raised: controls, cards, table headers
-    QColor hover;       ///< a raised control under the pointer
-    QColor line;        ///< 1 px separators
-    QColor text;        ///< at least 7:1 on every surface
-    QColor muted;       ///< captions, units; at least 4.5:1
-    QColor accent;      ///< selection, focus ring, primary button: nothing else
-    QColor onAccent;    ///< text on accent
-    QColor finding;     ///< FOD confirmed, STOP, errors
-    QColor onFinding;   ///< text on finding
-    QColor attention;   ///< candidate undecided, stale, not sure
-    QColor clear;       ///< decided no FOD, done, fresh
-    QColor selection;   ///< background of a selected row (accent mixed into the surface)
+    QColor surface0;   ///< window, 3D view, photo surround
+    QColor surface1;   ///< panels
+    QColor surface2;   ///< raised: controls, cards, table headers
+    QColor hover;      ///< a raised control under the pointer
+    QColor line;       ///< 1 px separators
+    QColor text;       ///< at least 7:1 on every surface
+    QColor muted;      ///< captions, units; at least 4.5:1
+    QColor accent;     ///< selection, focus ring, primary button: nothing else
+    QColor onAccent;   ///< text on accent
+    QColor finding;    ///< FOD confirmed, STOP, errors
+    QColor onFinding;  ///< text on finding
+    QColor attention;  ///< candidate undecided, stale, not sure
+    QColor clear;      ///< decided no FOD, done, fresh
+    QColor selection;  ///< background of a selected row (accent mixed into the surface)
+    QColor disabled;   ///< text and icons of what cannot be used now
 };
 
 Theme makeTheme(ThemeKind kind);

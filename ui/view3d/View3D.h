@@ -20,7 +20,18 @@
 namespace fodscope {
 
 /// What the 3D view can show. Each can be hidden and made transparent.
-enum class ViewLayer { Reference, ReferenceMesh, Map, Discrepancy, Candidates, Waypoints, Route, Trajectory, Robot, Grid };
+enum class ViewLayer {
+    Reference,
+    ReferenceMesh,
+    Map,
+    Discrepancy,
+    Candidates,
+    Waypoints,
+    Route,
+    Trajectory,
+    Robot,
+    Grid
+};
 QString toString(ViewLayer layer);
 
 enum class StandardView { Top, Front, Side, Isometric };

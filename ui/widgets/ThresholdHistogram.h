@@ -21,7 +21,8 @@ class ThresholdHistogram : public QWidget {
     void setValues(std::span<const double> values);
     void clear();
 
-    /// Values are shown times `displayFactor` with `unit`: metres as mm with factor 1000. Steps are in the values' unit.
+    /// Values are shown times `displayFactor` with `unit`: metres as mm with factor 1000. Steps are in the values'
+    /// unit.
     void setDisplay(const QString& unit, double displayFactor, int decimals);
     void setSteps(double fine, double coarse);
 
