@@ -15,6 +15,9 @@ inline constexpr std::uint8_t kCostInscribed = 253;
 inline constexpr std::uint8_t kCostLethal = 254;
 inline constexpr std::uint8_t kCostUnknown = 255;
 
+/// How far the robot's place may lie from passable floor: it is a little off, or a point lies under the robot.
+inline constexpr double kStartTolerance_m = 0.3;
+
 struct CostMapSettings {
     /// costmap_2d's inscribed radius: robot_radius 0.17 m with padding 0.05 m as a 16-gon.
     double inscribedRadius_m = 0.2154;
@@ -41,10 +44,19 @@ struct CostMap {
 /// 255 unless the new cost is at least 253. `reachable` is empty until flood filled.
 CostMap inflate(const OccupancyGrid& grid, const CostMapSettings& settings);
 
+/// @return the cost as nav_msgs/OccupancyGrid shows it, in percent: 0 free, 1 to 98 inflated, 99 inscribed, 100 lethal.
+///         Unknown is as blocked as lethal here.
+double costPercent(std::uint8_t cost);
+
+/// @return the cell under the place when it is passable (under the inscribed cost, known), else the nearest passable
+///         one whose centre lies within the tolerance; empty outside the grid or when there is none
+std::optional<CellIndex> nearestPassableCell(const CostMap& costMap, const Eigen::Vector2d& place_map,
+                                             double tolerance_m);
+
 /// Flood fill from the robot's place (paper: "Waypoint Generation"). When the robot's own cell is blocked (its position
 /// is a little off, or a point lies under it) the nearest passable cell within `startTolerance_m` is the seed.
 /// @throws Error when the robot is outside the grid or no passable cell is near it
-void floodFill(CostMap& costMap, const Pose2& robot_map, double startTolerance_m = 0.3);
+void floodFill(CostMap& costMap, const Pose2& robot_map, double startTolerance_m = kStartTolerance_m);
 
 /// A path over passable cells with its length.
 struct DrivePath {
@@ -53,18 +65,31 @@ struct DrivePath {
 };
 
 /// Travel distances from one place to every reachable cell (Dijkstra over 8 neighbours, cost-weighted so that paths
-/// keep off walls), and the paths behind them.
+/// keep off walls), and the paths behind them. The cost map must outlive it.
 class TravelField {
   public:
+    /// A start on a blocked cell begins at the nearest passable one within kStartTolerance_m; a start with none near it
+    /// reaches nothing.
     TravelField(const CostMap& costMap, const Eigen::Vector2d& start_map);
 
+    /// The path is straightened where a straight line is no dearer than the cells' steps.
     /// @return empty when the cell of `goal_map` is not reached
     std::optional<DrivePath> pathTo(const Eigen::Vector2d& goal_map) const;
 
+    /// @return the length over the cells' steps, which is cheaper to ask for than the path; empty when not reached
+    std::optional<double> distanceTo(const Eigen::Vector2d& goal_map) const;
+
   private:
+    bool isPassable(CellIndex index) const;
+    void spreadFrom(CellIndex start);
+    double effortAlong(const Eigen::Vector2d& from_map, const Eigen::Vector2d& to_map) const;
+    std::vector<Eigen::Vector2d> straightened(const std::vector<std::size_t>& cells,
+                                              const std::vector<Eigen::Vector2d>& points_map) const;
+
     const CostMap* costMap_;
     Eigen::Vector2d start_map_;
     std::vector<float> effort_;
+    std::vector<float> length_m_;
     std::vector<std::int32_t> previous_;
 };
 

@@ -39,9 +39,16 @@ struct OccupancyGrid {
                static_cast<std::size_t>(index.column);
     }
     Cell at(CellIndex index) const { return cells[offset(index)]; }
+    /// @return the cell under a point, which may lie outside the grid; NaN lies outside
     CellIndex cellAt(const Eigen::Vector2d& point_map) const;
     Eigen::Vector2d centreOf(CellIndex index) const;
 };
+
+/// Grids with more cells than this are refused: no tank has them, a broken header does.
+inline constexpr double kGreatestCellCount = 100e6;
+
+/// @throws Error for a grid without cells, whose cells do not fill it, or whose resolution or origin is no number
+void requireUsable(const OccupancyGrid& grid);
 
 struct OccupancySettings {
     double resolution_m = 0.05;
@@ -50,7 +57,7 @@ struct OccupancySettings {
     double obstacleMinimumHeight_m = 0.13;
     double obstacleMaximumHeight_m = 0.45;
     /// Points lower than the obstacle band are floor and make their cell free.
-    /// Cells with fewer obstacle points than this stay free (noise).
+    /// Fewer obstacle points than this in a cell are noise and do not block it.
     int minimumObstaclePoints = 2;
     /// Unknown cells within this distance of known floor, enclosed by it, count as free.
     double closeGaps_m = 0.15;
@@ -68,7 +75,8 @@ OccupancyGrid occupancyFromMap(std::span<const Eigen::Vector3d> points_map, cons
 OccupancyGrid withoutCandidates(const OccupancyGrid& grid, std::span<const Eigen::Vector3d> discrepantPoints_map);
 
 /// Reads a ROS map_server pair: YAML (image, resolution, origin, negate, occupied_thresh, free_thresh, mode) and
-/// PGM/PNG. Source: map_server's image_loader.
+/// PGM/PNG, as map_server's image_loader does: trinary and scale by the thresholds over the pixel's darkness, raw by
+/// the pixel as an occupancy in percent. What is neither over the one nor under the other threshold is unknown.
 /// @throws Error for a missing key or image, sizes over 100 million cells, or numbers out of range
 OccupancyGrid readMapServerGrid(const std::filesystem::path& yamlFile);
 

@@ -18,6 +18,8 @@ struct WaypointSettings {
     /// The ring is widened by this share a try, inwards and outwards, until a pose is found.
     double widening = 0.1;
     int maximumTries = 10;
+    /// Widening inwards ends here: from nearer the photo camera (0.20 m up, 5° down, 42° high) cannot see the floor.
+    double closestDistance_m = 0.42;
     /// Poses on cells with at least this cost, of 100, collide (paper's robot: 85).
     double costThresholdPercent = 85.0;
     /// Step of the candidate poses along the ring and across it.
@@ -65,12 +67,19 @@ struct VisitPlan {
 /// Ring of poses round each target, collision test against the inflated cost, line of sight through the FOD-less cost
 /// map, least summed cost wins (ties: the smaller angle, then the smaller distance), facing the target; then
 /// nearest-next order by travel distance. Paper: "Waypoint Generation". Deterministic: no random sampling.
+/// Every target gets a waypoint; ids run in visit order, and targets without a pose follow at the end in their order.
+/// A line of sight is blocked by lethal cells alone. It ends one cell before the candidate's near side, not at its
+/// centroid: every way from its centroid a candidate reaches at least half its width, so that one that leans on a wall
+/// (its centroid lies in the wall's cells) can be photographed. Unknown cells block no view, for nothing is known to
+/// stand there, but cost as much as inscribed ones, so that views over known floor are preferred.
 /// @param collision cost map of the full grid, flood filled from the robot
 /// @param sight cost map of the FOD-less grid on the same lattice
+/// @throws Error when the two differ in lattice, the collision map was not flood filled, or a setting is out of range;
+///         Cancelled
 VisitPlan planVisits(std::span<const PlanTarget> targets, const CostMap& collision, const CostMap& sight,
                      const Pose2& robot_map, const WaypointSettings& settings, Progress& progress);
 
-/// `waypoints.json` of the file contract.
+/// `waypoints.json` of the file contract: equal plans give an equal text. Pose and cost are null where there is none.
 std::string waypointsJson(const VisitPlan& plan);
 
 }  // namespace fodscope
