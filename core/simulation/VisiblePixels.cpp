@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "core/common/Error.h"
+#include "core/simulation/MeshShapes.h"
+#include "core/simulation/PhotoCamera.h"
+
+namespace fodscope {
+namespace {
+
+/// Half-open ranges of pixels.
+struct PixelBox {
+    int left = 0, top = 0, right = 0, bottom = 0;
+
+    bool contains(int column, int row) const { return column >= left && column < right && row >= top && row < bottom; }
+};
+
+/// A rectangle of pixels outside which the object cannot be seen.
+PixelBox pixelsOf(const Eigen::AlignedBox3d& box_world, const Transform& T_camera_from_world,
+                  const CameraIntrinsics& intrinsics) {
+    constexpr double kNear_m = 1e-3;
+    const PixelBox whole{0, 0, intrinsics.width_px, intrinsics.height_px};
+    double left = intrinsics.width_px, top = intrinsics.height_px, right = 0.0, bottom = 0.0;
+    int behind = 0;
+    for (int i = 0; i < 8; ++i) {
+        const Eigen::Vector3d corner_camera =
+            T_camera_from_world * box_world.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
+        if (corner_camera.z() < kNear_m) {
+            ++behind;
+            continue;
+        }
+        const double column = intrinsics.cx_px + intrinsics.fx_px * corner_camera.x() / corner_camera.z();
+        const double row = intrinsics.cy_px + intrinsics.fy_px * corner_camera.y() / corner_camera.z();
+        left = std::min(left, column);
+        right = std::max(right, column);
+        top = std::min(top, row);
+        bottom = std::max(bottom, row);
+    }
+    if (behind == 8) return {};
+    // A box through the image plane projects to no rectangle.
+    if (behind > 0) return whole;
+    const auto limit = [](double value, int most) {
+        return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(most)));
+    };
+    return {limit(std::floor(left) - 1.0, intrinsics.width_px), limit(std::floor(top) - 1.0, intrinsics.height_px),
+            limit(std::ceil(right) + 1.0, intrinsics.width_px), limit(std::ceil(bottom) + 1.0, intrinsics.height_px)};
+}
+
+}  // namespace
+
+std::vector<std::size_t> visiblePixels(const World& world, const Raycaster& raycaster,
+                                       const Transform& T_world_from_camera, const CameraIntrinsics& intrinsics) {
+    constexpr double kRange_m = 1000.0;
+    const Transform T_camera_from_world = T_world_from_camera.inverse();
+    std::vector<PixelBox> boxes;
+    PixelBox all{intrinsics.width_px, intrinsics.height_px, 0, 0};
+    for (const WorldObject& object : world.objects) {
+        const Eigen::AlignedBox3d bounds = boundsOf(object.mesh);
+        const PixelBox box = bounds.isEmpty() ? PixelBox{} : pixelsOf(bounds, T_camera_from_world, intrinsics);
+        boxes.push_back(box);
+        if (box.left >= box.right || box.top >= box.bottom) continue;
+        all = {std::min(all.left, box.left), std::min(all.top, box.top), std::max(all.right, box.right),
+               std::max(all.bottom, box.bottom)};
+    }
+    std::vector<std::atomic<std::size_t>> counts(world.objects.size());
+    if (all.left < all.right && all.top < all.bottom) {
+        tbb::parallel_for(tbb::blocked_range<int>(all.top, all.bottom, 8), [&](const tbb::blocked_range<int>& rows) {
+            for (int row = rows.begin(); row < rows.end(); ++row) {
+                for (int column = all.left; column < all.right; ++column) {
+                    if (std::none_of(boxes.begin(), boxes.end(),
+                                     [&](const PixelBox& box) { return box.contains(column, row); }))
+                        continue;
+                    const Eigen::Vector3d ray_camera((column + 0.5 - intrinsics.cx_px) / intrinsics.fx_px,
+                                                     (row + 0.5 - intrinsics.cy_px) / intrinsics.fy_px, 1.0);
+                    const auto hit = raycaster.cast(T_world_from_camera.translation(),
+                                                    T_world_from_camera.linear() * ray_camera, kRange_m);
+                    if (hit && hit->object >= 0) ++counts[static_cast<std::size_t>(hit->object)];
+                }
+            }
+        });
+    }
+    return {counts.begin(), counts.end()};
+}
+
+}  // namespace fodscope
