@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulation/SmoothNormals.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
