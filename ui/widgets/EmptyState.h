@@ -41,7 +41,7 @@ class EmptyState : public QWidget {
     void refreshPicture();
 
     Kind kind_ = Kind::Empty;
-    Icon picture_name_ = Icon::Info;
+    Icon pictureName_ = Icon::Info;
     QLabel* picture_ = nullptr;
     QLabel* message_ = nullptr;
     QProgressBar* progress_ = nullptr;

@@ -7,7 +7,7 @@
 
 namespace fodscope {
 
-/// Values in equal bins, kept so that "how many are greater than t" is exact and takes the time of one bin.
+/// Values in equal bins, kept so that "how many are greater than t" is exact and quick.
 class Histogram {
   public:
     Histogram() = default;
