@@ -142,8 +142,11 @@ void requireSaneSize(const std::filesystem::path& image, const std::vector<std::
     if (pixels > kGreatestCellCount) {
         throw Error(image.string(), "the image has more than 100 million pixels", "give a coarser map");
     }
-    if (start[1] == '5' && isPnm && pixels > static_cast<double>(bytes.size())) {
-        throw Error(image.string(), "the image is cut off (its header promises more pixels)", "copy the file anew");
+    const std::string end(reinterpret_cast<const char*>(bytes.data()) + bytes.size() - 8, 8);
+    const bool isComplete =
+        isPng ? end.compare(0, 4, "IEND") == 0 : start[1] == '2' || pixels <= static_cast<double>(bytes.size());
+    if (!isComplete) {
+        throw Error(image.string(), "the image is cut off", "copy the file anew");
     }
 }
 

@@ -91,9 +91,14 @@ double TravelField::effortAlong(const Eigen::Vector2d& from_map, const Eigen::Ve
     const double length_m = (to_map - from_map).norm();
     const int steps = static_cast<int>(std::ceil(length_m / (0.25 * grid.resolution_m))) + 1;
     double effort = 0.0;
+    CellIndex last = grid.cellAt(from_map);
     for (int step = 0; step <= steps; ++step) {
         const CellIndex index = grid.cellAt(from_map + (to_map - from_map) * (static_cast<double>(step) / steps));
-        if (!isPassable(index)) return std::numeric_limits<double>::infinity();
+        // The line may slip over a corner between two samples; both cells beside it must be passable then.
+        const bool clear =
+            isPassable(index) && isPassable({last.column, index.row}) && isPassable({index.column, last.row});
+        if (!clear) return std::numeric_limits<double>::infinity();
+        last = index;
         const double share = step == 0 || step == steps ? 0.5 : 1.0;
         effort += share * effortPerMetre(costMap_->costAt(index)) * length_m / steps;
     }

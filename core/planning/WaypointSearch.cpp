@@ -86,7 +86,8 @@ std::optional<double> costOfSight(const Eigen::Vector2d& place_map, const PlanTa
     const OccupancyGrid& grid = sight.grid;
     const Eigen::Vector2d way = target.centroid_map.head<2>() - place_map;
     const double halfWidth_m = 0.5 * std::max(0.0, std::min(target.size_m.x(), target.size_m.y()));
-    const double length_m = way.norm() - halfWidth_m - grid.resolution_m;
+    // The slack keeps the last step where the length is a whole number of steps but for rounding.
+    const double length_m = way.norm() - halfWidth_m - grid.resolution_m + 1e-9;
     const double step_m = rayStep_cells * grid.resolution_m;
     const Eigen::Vector2d direction = way.normalized();
     double cost = 0.0;
