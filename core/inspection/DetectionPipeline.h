@@ -35,14 +35,43 @@ class DetectionPipeline {
     /// A transform given by the user replaces the registration; empty goes back to registering.
     void setGivenTransform(std::optional<Transform> T_reference_from_map);
 
+    /// A known start pose, from which the registration sets out instead of the identity.
+    void setStart(std::optional<Transform> T_reference_from_map);
+
     /// @throws Error when reference or map are missing, or from a stage; Cancelled. The last good result is then kept.
     const DetectionResult& run(const Parameters& parameters, Progress& progress);
 
   private:
+    using Seconds = std::map<std::string, double>;
+
+    /// The latest result of each stage with the settings that made it; no settings: it has to run (again).
+    struct Kept {
+        std::optional<OutlierRemovalSettings> denoiseSettings;
+        std::shared_ptr<const PointCloud> denoised;
+        std::optional<RegistrationSettings> registrationSettings;
+        RegistrationResult registration;
+        std::optional<DiscrepancySettings> discrepancySettings;
+        std::shared_ptr<const DiscrepancyField> field;
+        std::optional<CandidateSettings> candidateSettings;
+        std::shared_ptr<const CandidateSet> candidates;
+        std::optional<CoverageSettings> coverageSettings;
+        std::shared_ptr<const Coverage> coverage;
+        std::optional<double> floorHeight_m;
+    };
+
+    /// Discrepancy and what rests on it have to run again.
+    void forgetDiscrepancy();
+    void denoise(const OutlierRemovalSettings& settings, Seconds& seconds, Progress& progress);
+    void align(const RegistrationSettings& settings, Seconds& seconds, Progress& progress);
+    void measure(const DiscrepancySettings& settings, Seconds& seconds, Progress& progress);
+    void cluster(const Parameters& parameters, Seconds& seconds, Progress& progress);
+    void cover(const Parameters& parameters, Seconds& seconds, Progress& progress);
+
     std::shared_ptr<const ReferenceMap> reference_;
     std::shared_ptr<const PointCloud> map_;
     std::optional<Transform> givenTransform_;
-    std::optional<Parameters> ran_;
+    std::optional<Transform> start_;
+    Kept kept_;
     DetectionResult result_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "core/cloud/OutlierRemoval.h"
 #include "core/coverage/Coverage.h"
@@ -30,6 +31,9 @@ struct Parameters {
 
     bool operator==(const Parameters&) const = default;
 };
+
+/// @return the names that presetParameters() knows
+std::vector<std::string> presetNames();
 
 /// @return the parameters of a preset; "paper-physical" is the default
 /// @throws Error for an unknown name, naming the known ones

@@ -23,7 +23,7 @@ struct WaypointSettings {
     /// Poses on cells with at least this cost, of 100, collide (paper's robot: 85).
     double costThresholdPercent = 85.0;
     /// Step of the candidate poses along the ring and across it.
-    double angleStep_rad = 0.0872664625997165;
+    double angleStep_rad = radiansFromDegrees(5.0);
     double distanceStep_m = 0.05;
     /// Ray step in cells (paper's robot: 0.02 of a 1 cm cell; coarser grids need no finer step).
     double rayStep_cells = 0.25;

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: MIT
+#include "core/inspection/ParameterTable.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+namespace fodscope {
+namespace {
+
+/// A parameter read and written through its member of its section's struct.
+template <typename Settings, typename Value>
+struct Accessor {
+    Settings Parameters::*section;
+    Value Settings::*member;
+
+    const Value& in(const Parameters& parameters) const { return parameters.*section.*member; }
+    Value& in(Parameters& parameters) const { return parameters.*section.*member; }
+};
+
+template <typename Settings, typename Value>
+Accessor(Settings Parameters::*, Value Settings::*) -> Accessor<Settings, Value>;
+
+/// What the fields of one section have in common.
+template <typename Settings>
+class Section {
+  public:
+    Section(std::vector<ParameterField>& table, std::string name, Settings Parameters::*settings)
+        : table_(table), name_(std::move(name)), settings_(settings) {}
+
+    void number(double Settings::*member, const char* key, const char* unit, double minimum, double maximum,
+                const char* help) {
+        const Accessor access{settings_, member};
+        add(key, unit, help, ParameterKind::Number, minimum, maximum).get = [access](const Parameters& from) {
+            return ParameterValue(access.in(from));
+        };
+        table_.back().set = [access](Parameters& to, const ParameterValue& value) {
+            access.in(to) = std::get<double>(value);
+        };
+    }
+
+    void angle(double Settings::*member, const char* key, double minimum_deg, double maximum_deg, const char* help) {
+        const Accessor access{settings_, member};
+        add(key, "deg", help, ParameterKind::Number, minimum_deg, maximum_deg).get = [access](const Parameters& from) {
+            return ParameterValue(degreesThatGive(access.in(from)));
+        };
+        table_.back().set = [access](Parameters& to, const ParameterValue& value) {
+            access.in(to) = radiansFromDegrees(std::get<double>(value));
+        };
+    }
+
+    void optionalNumber(std::optional<double> Settings::*member, const char* key, const char* unit, double minimum,
+                        double maximum, const char* help) {
+        const Accessor access{settings_, member};
+        add(key, unit, help, ParameterKind::OptionalNumber, minimum, maximum).get = [access](const Parameters& from) {
+            const std::optional<double>& value = access.in(from);
+            return value ? ParameterValue(*value) : ParameterValue();
+        };
+        table_.back().set = [access](Parameters& to, const ParameterValue& value) {
+            access.in(to).reset();
+            if (const double* number = std::get_if<double>(&value)) access.in(to) = *number;
+        };
+    }
+
+    void whole(int Settings::*member, const char* key, double minimum, double maximum, const char* help) {
+        const Accessor access{settings_, member};
+        add(key, "", help, ParameterKind::Whole, minimum, maximum).get = [access](const Parameters& from) {
+            return ParameterValue(access.in(from));
+        };
+        table_.back().set = [access](Parameters& to, const ParameterValue& value) {
+            access.in(to) = std::get<int>(value);
+        };
+    }
+
+    void toggle(bool Settings::*member, const char* key, const char* help) {
+        const Accessor access{settings_, member};
+        add(key, "", help, ParameterKind::Switch, 0.0, 1.0).get = [access](const Parameters& from) {
+            return ParameterValue(access.in(from));
+        };
+        table_.back().set = [access](Parameters& to, const ParameterValue& value) {
+            access.in(to) = std::get<bool>(value);
+        };
+    }
+
+    /// `words` in the order of the enumerators, which start at 0.
+    template <typename Enum>
+    ParameterField& choice(Enum Settings::*member, const char* key, std::vector<std::string> words, const char* help) {
+        const Accessor access{settings_, member};
+        ParameterField& field = add(key, "", help, ParameterKind::Choice, 0.0, 0.0);
+        field.choices = words;
+        field.get = [access, words](const Parameters& from) {
+            return ParameterValue(words[static_cast<std::size_t>(access.in(from))]);
+        };
+        field.set = [access, words](Parameters& to, const ParameterValue& value) {
+            const auto word = std::ranges::find(words, std::get<std::string>(value));
+            access.in(to) = static_cast<Enum>(word - words.begin());
+        };
+        return field;
+    }
+
+  private:
+    ParameterField& add(std::string key, std::string unit, std::string help, ParameterKind kind, double minimum,
+                        double maximum) {
+        ParameterField field;
+        field.section = name_;
+        field.key = std::move(key);
+        field.unit = std::move(unit);
+        field.help = std::move(help);
+        field.kind = kind;
+        field.minimum = minimum;
+        field.maximum = maximum;
+        return table_.emplace_back(std::move(field));
+    }
+
+    /// The shortest number of degrees that is read back as exactly these radians, where there is one.
+    static double degreesThatGive(double angle_rad) {
+        const double exact_deg = degreesFromRadians(angle_rad);
+        for (int digits = 1; digits <= 17; ++digits) {
+            char text[64];
+            const auto end = std::to_chars(text, text + sizeof text, exact_deg, std::chars_format::general, digits);
+            double short_deg = exact_deg;
+            std::from_chars(text, end.ptr, short_deg);
+            if (radiansFromDegrees(short_deg) == angle_rad) return short_deg;
+        }
+        return exact_deg;
+    }
+
+    std::vector<ParameterField>& table_;
+    std::string name_;
+    Settings Parameters::*settings_;
+};
+
+void addDenoise(std::vector<ParameterField>& table) {
+    Section section(table, "denoise", &Parameters::denoise);
+    section.toggle(&OutlierRemovalSettings::enabled, "enabled", "statistical outlier removal of the map");
+    section.whole(&OutlierRemovalSettings::neighbours, "neighbours", 2, 10000,
+                  "nearest points that judge a point, itself among them");
+    section.number(&OutlierRemovalSettings::standardDeviations, "standard_deviations", "", 0.01, 100,
+                   "points farther from their neighbours than the mean and this many deviations are dropped");
+}
+
+void addRegistration(std::vector<ParameterField>& table) {
+    Section section(table, "registration", &Parameters::registration);
+    section.number(&RegistrationSettings::mapVoxelSize_m, "map_voxel_size_m", "m", 0.001, 1, "voxels of the map");
+    section.number(&RegistrationSettings::maximumCorrespondence_m, "maximum_correspondence_m", "m", 0.001, 100,
+                   "pairs of points farther apart are ignored");
+    section.whole(&RegistrationSettings::maximumIterations, "maximum_iterations", 1, 100000,
+                  "steps after which the search gives up");
+    section.number(&RegistrationSettings::overlapDistance_m, "overlap_distance_m", "m", 0.001, 10,
+                   "a map voxel this near to the reference overlaps");
+    section.number(&RegistrationSettings::minimumOverlap, "minimum_overlap", "", 0, 1,
+                   "share of overlapping map voxels under which the alignment is bad");
+    section.number(&RegistrationSettings::coarseVoxelSize_m, "coarse_voxel_size_m", "m", 0.01, 5,
+                   "voxels of the search by features, without a start pose");
+}
+
+void addDiscrepancy(std::vector<ParameterField>& table) {
+    Section section(table, "discrepancy", &Parameters::discrepancy);
+    section.number(&DiscrepancySettings::voxelSize_m, "voxel_size_m", "m", 0.001, 1, "voxels of the map");
+    section.toggle(&DiscrepancySettings::cropToReference, "crop_to_reference",
+                   "drop map points outside the reference's bounds");
+    section.optionalNumber(&DiscrepancySettings::cropHeight_m, "crop_height_m", "m", -1000, 1000,
+                           "map points higher than this in the reference frame are dropped; none: no limit");
+    section.whole(&DiscrepancySettings::smoothingNeighbours, "smoothing_neighbours", 1, 10000,
+                  "k of the discrepancy smoothing; 1: none");
+}
+
+void addCandidates(std::vector<ParameterField>& table) {
+    Section section(table, "candidates", &Parameters::candidates);
+    ParameterField& metric = section.choice(&CandidateSettings::metric, "metric", {"euclidean", "mahalanobis"},
+                                            "how far a map voxel deviates from the reference");
+    metric.set = [setMetric = metric.set](Parameters& to, const ParameterValue& value) {
+        const Metric before = to.candidates.metric;
+        setMetric(to, value);
+        if (to.candidates.metric == before) return;
+        // A threshold means nothing in the other metric's unit, so its own usual values come with it.
+        const CentroidKind centroid = to.candidates.centroid;
+        to.candidates = paperPhysicalCandidateSettings(to.candidates.metric);
+        to.candidates.centroid = centroid;
+    };
+    section.number(&CandidateSettings::threshold, "threshold", "", 0, 10000,
+                   "a voxel is discrepant when its smoothed discrepancy is greater; metres for euclidean");
+    section.number(&CandidateSettings::clusterCutoff_m, "cluster_cutoff_m", "m", 0, 100,
+                   "clusters whose centroids are at most this far apart are merged");
+    section.whole(&CandidateSettings::minimumPoints, "minimum_points", 0, 1000000,
+                  "clusters with fewer voxels are dropped");
+    section.choice(&CandidateSettings::centroid, "centroid", {"plain", "discrepancy-weighted"},
+                   "where a candidate is said to be");
+}
+
+void addCoverage(std::vector<ParameterField>& table) {
+    Section section(table, "coverage", &Parameters::coverage);
+    section.number(&CoverageSettings::observedWithin_m, "observed_within_m", "m", 0.001, 10,
+                   "a reference point with a map voxel this near was observed");
+}
+
+void addOccupancy(std::vector<ParameterField>& table) {
+    Section section(table, "occupancy", &Parameters::occupancy);
+    section.number(&OccupancySettings::resolution_m, "resolution_m", "m", 0.005, 5, "edge of a grid cell");
+    section.number(&OccupancySettings::obstacleMinimumHeight_m, "obstacle_minimum_height_m", "m", -10, 100,
+                   "points higher than this over the floor are obstacles");
+    section.number(&OccupancySettings::obstacleMaximumHeight_m, "obstacle_maximum_height_m", "m", -10, 100,
+                   "points higher than this pass over the robot");
+    section.whole(&OccupancySettings::minimumObstaclePoints, "minimum_obstacle_points", 1, 1000000,
+                  "cells with fewer obstacle points stay free");
+    section.number(&OccupancySettings::closeGaps_m, "close_gaps_m", "m", 0, 10,
+                   "unknown cells this near to known floor, enclosed by it, count as free");
+}
+
+void addCostMap(std::vector<ParameterField>& table) {
+    Section section(table, "cost_map", &Parameters::costMap);
+    section.number(&CostMapSettings::inscribedRadius_m, "inscribed_radius_m", "m", 0, 100,
+                   "the robot touches an obstacle that is this near");
+    section.number(&CostMapSettings::inflationRadius_m, "inflation_radius_m", "m", 0, 100,
+                   "obstacles cost nothing farther away");
+    section.number(&CostMapSettings::costScalingFactor, "cost_scaling_factor", "", 0, 1000,
+                   "how fast the cost falls with distance");
+}
+
+void addWaypoints(std::vector<ParameterField>& table) {
+    Section section(table, "waypoints", &Parameters::waypoints);
+    section.number(&WaypointSettings::minimumDistance_m, "minimum_distance_m", "m", 0, 100,
+                   "nearest pose to the candidate");
+    section.number(&WaypointSettings::maximumDistance_m, "maximum_distance_m", "m", 0.01, 100,
+                   "farthest pose from the candidate");
+    section.number(&WaypointSettings::closestDistance_m, "closest_distance_m", "m", 0, 100,
+                   "a widened ring comes no nearer");
+    section.number(&WaypointSettings::widening, "widening", "", 0, 1,
+                   "share by which the ring is widened when no pose is found");
+    section.whole(&WaypointSettings::maximumTries, "maximum_tries", 1, 1000, "rings that are tried");
+    section.number(&WaypointSettings::costThresholdPercent, "cost_threshold_percent", "%", 0, 100,
+                   "poses on cells with at least this cost collide");
+    section.angle(&WaypointSettings::angleStep_rad, "angle_step_deg", 0.1, 180, "step of the poses along the ring");
+    section.number(&WaypointSettings::distanceStep_m, "distance_step_m", "m", 0.001, 10,
+                   "step of the poses across the ring");
+    section.number(&WaypointSettings::rayStep_cells, "ray_step_cells", "", 0.001, 10,
+                   "step along a line of sight, in grid cells");
+}
+
+void addVisits(std::vector<ParameterField>& table) {
+    Section section(table, "visits", &Parameters::visits);
+    section.number(&VisitSettings::acknowledgeTimeout_s, "acknowledge_timeout_s", "s", 0.1, 3600,
+                   "a goal that the robot has not confirmed by then counts as not acknowledged");
+    section.number(&VisitSettings::driveTimeout_s, "drive_timeout_s", "s", 1, 86400, "longest drive to a waypoint");
+    section.number(&VisitSettings::photoTimeout_s, "photo_timeout_s", "s", 0.1, 3600, "longest wait for a photo");
+    section.whole(&VisitSettings::maximumTries, "maximum_tries", 1, 100, "tries of a visit");
+}
+
+std::string shortest(double number) {
+    char text[64];
+    return std::string(text, std::to_chars(text, text + sizeof text, number).ptr);
+}
+
+}  // namespace
+
+std::span<const ParameterField> parameterTable() {
+    static const std::vector<ParameterField> table = [] {
+        std::vector<ParameterField> fields;
+        addDenoise(fields);
+        addRegistration(fields);
+        addDiscrepancy(fields);
+        addCandidates(fields);
+        addCoverage(fields);
+        addOccupancy(fields);
+        addCostMap(fields);
+        addWaypoints(fields);
+        addVisits(fields);
+        return fields;
+    }();
+    return table;
+}
+
+const ParameterField* findParameter(const std::string& section, const std::string& key) {
+    for (const ParameterField& field : parameterTable()) {
+        if (field.section == section && field.key == key) return &field;
+    }
+    return nullptr;
+}
+
+std::string toString(const ParameterValue& value) {
+    if (std::holds_alternative<std::monostate>(value)) return "none";
+    if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+    if (const int* whole = std::get_if<int>(&value)) return std::to_string(*whole);
+    if (const double* number = std::get_if<double>(&value)) return shortest(*number);
+    return std::get<std::string>(value);
+}
+
+std::vector<std::string> parameterProblems(const Parameters& parameters) {
+    std::vector<std::string> problems;
+    for (const ParameterField& field : parameterTable()) {
+        const ParameterValue value = field.get(parameters);
+        std::optional<double> number;
+        if (const int* whole = std::get_if<int>(&value)) number = *whole;
+        if (const double* real = std::get_if<double>(&value)) number = *real;
+        if (!number || (*number >= field.minimum && *number <= field.maximum)) continue;
+        problems.push_back(field.section + "." + field.key + " is " + toString(value) + ", allowed is " +
+                           shortest(field.minimum) + " to " + shortest(field.maximum));
+    }
+    const auto ordered = [&](double low, double high, const std::string& lowKey, const std::string& highKey) {
+        if (low > high) problems.push_back(lowKey + " is greater than " + highKey);
+    };
+    ordered(parameters.occupancy.obstacleMinimumHeight_m, parameters.occupancy.obstacleMaximumHeight_m,
+            "occupancy.obstacle_minimum_height_m", "occupancy.obstacle_maximum_height_m");
+    ordered(parameters.costMap.inscribedRadius_m, parameters.costMap.inflationRadius_m, "cost_map.inscribed_radius_m",
+            "cost_map.inflation_radius_m");
+    ordered(parameters.waypoints.minimumDistance_m, parameters.waypoints.maximumDistance_m,
+            "waypoints.minimum_distance_m", "waypoints.maximum_distance_m");
+    return problems;
+}
+
+}  // namespace fodscope

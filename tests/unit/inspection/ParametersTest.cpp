@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "core/inspection/Parameters.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/common/Error.h"
+#include "core/inspection/ParameterTable.h"
+
+namespace fodscope {
+namespace {
+
+using ::testing::HasSubstr;
+
+Parameters paper() {
+    return presetParameters("paper-physical");
+}
+
+Parameters parsed(const std::string& yaml) {
+    return parseParameters(yaml, "test.yaml", paper());
+}
+
+std::string problemWith(const std::string& yaml) {
+    try {
+        parsed(yaml);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+/// Another allowed value for a field.
+ParameterValue otherValue(const ParameterField& field, const Parameters& parameters) {
+    const ParameterValue now = field.get(parameters);
+    switch (field.kind) {
+        case ParameterKind::Switch:
+            return !std::get<bool>(now);
+        case ParameterKind::Whole:
+            return std::get<int>(now) + 1;
+        case ParameterKind::Choice:
+            return field.choices[std::get<std::string>(now) == field.choices[0] ? 1 : 0];
+        case ParameterKind::OptionalNumber:
+            return 0.6;
+        case ParameterKind::Number:
+            break;
+    }
+    const double number = std::get<double>(now);
+    return number * 1.01 <= field.maximum ? number * 1.01 + 0.001 : number * 0.99;
+}
+
+TEST(Parameters, ThePresetHoldsThePapersValues) {
+    const Parameters parameters = paper();
+    EXPECT_EQ(parameters.candidates.metric, Metric::Mahalanobis);
+    EXPECT_EQ(parameters.candidates.threshold, 2.75);
+    EXPECT_EQ(parameters.candidates.clusterCutoff_m, 0.345);
+    EXPECT_EQ(parameters.candidates.minimumPoints, 0);
+    EXPECT_EQ(parameters.discrepancy.voxelSize_m, 0.02);
+    EXPECT_EQ(parameters.denoise.neighbours, 50);
+    EXPECT_EQ(parameters.waypoints.costThresholdPercent, 85.0);
+    EXPECT_TRUE(parameterProblems(parameters).empty());
+}
+
+TEST(Parameters, AnUnknownPresetNamesTheKnownOnes) {
+    try {
+        presetParameters("papper");
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), HasSubstr("paper-physical"));
+    }
+}
+
+TEST(Parameters, WhatIsWrittenIsReadBackEqual) {
+    EXPECT_EQ(parsed(parametersYaml(paper())), paper());
+}
+
+TEST(Parameters, EveryFieldSurvivesTheFile) {
+    for (const ParameterField& field : parameterTable()) {
+        Parameters changed = paper();
+        field.set(changed, otherValue(field, changed));
+        EXPECT_NE(changed, paper()) << field.section << "." << field.key;
+        const Parameters back = parsed(parametersYaml(changed));
+        EXPECT_EQ(toString(field.get(back)), toString(field.get(changed))) << field.section << "." << field.key;
+        EXPECT_EQ(parametersYaml(back), parametersYaml(changed)) << field.section << "." << field.key;
+    }
+}
+
+TEST(Parameters, NoKeyIsThereTwiceAndEachSaysWhatItDoes) {
+    std::set<std::string> keys;
+    for (const ParameterField& field : parameterTable()) {
+        EXPECT_TRUE(keys.insert(field.section + "." + field.key).second) << field.key;
+        EXPECT_FALSE(field.help.empty()) << field.key;
+    }
+}
+
+TEST(Parameters, AnglesAreDegreesInFiles) {
+    EXPECT_THAT(parametersYaml(paper()), HasSubstr("angle_step_deg: 5 "));
+    EXPECT_DOUBLE_EQ(parsed("waypoints: {angle_step_deg: 10}").waypoints.angleStep_rad, radiansFromDegrees(10.0));
+}
+
+TEST(Parameters, AFileChangesOnlyWhatItNames) {
+    Parameters expected = paper();
+    expected.candidates.threshold = 3.5;
+    expected.discrepancy.cropHeight_m = 0.6;
+    EXPECT_EQ(parsed("candidates:\n  threshold: 3.5\ndiscrepancy:\n  crop_height_m: 0.6\n"), expected);
+    EXPECT_EQ(parsed(""), paper());
+    EXPECT_EQ(parsed("# nothing\n"), paper());
+    EXPECT_EQ(parsed("denoise:\n"), paper());
+}
+
+TEST(Parameters, AnotherMetricBringsItsUsualValuesAndTheFilesOwnGoOverThem) {
+    const Parameters euclidean = parsed("candidates: {threshold: 0.05, metric: euclidean}");
+    EXPECT_EQ(euclidean.candidates.metric, Metric::Euclidean);
+    EXPECT_EQ(euclidean.candidates.threshold, 0.05);
+    EXPECT_EQ(euclidean.candidates.clusterCutoff_m, 0.279);
+    EXPECT_EQ(euclidean.candidates.minimumPoints, 4);
+}
+
+TEST(Parameters, AnUnknownKeyNamesTheNearestKnownOne) {
+    EXPECT_THAT(problemWith("candidates:\n  treshold: 3\n"),
+                HasSubstr("line 2: unknown key 'candidates.treshold' (nearest known: 'candidates.threshold')"));
+    EXPECT_THAT(problemWith("candidate:\n  threshold: 3\n"), HasSubstr("nearest known: 'candidates'"));
+    EXPECT_THAT(problemWith("denoise:\n  threshold: 3\n"), HasSubstr("nearest known: 'candidates.threshold'"));
+}
+
+TEST(Parameters, AllProblemsAreListedAtOnce) {
+    const std::string problem =
+        problemWith("denoise:\n  neighbours: many\n  enabled: maybe\ncandidates:\n  threshold: -1\n  metric: l3\n");
+    EXPECT_THAT(problem, HasSubstr("denoise.neighbours"));
+    EXPECT_THAT(problem, HasSubstr("denoise.enabled"));
+    EXPECT_THAT(problem, HasSubstr("candidates.threshold"));
+    EXPECT_THAT(problem, HasSubstr("euclidean or mahalanobis"));
+}
+
+TEST(Parameters, ValuesThatAreNoneAreRefused) {
+    for (const char* yaml :
+         {"denoise: {neighbours: 2.5}", "candidates: {threshold: nan}", "candidates: {threshold: inf}",
+          "candidates: {threshold: }", "candidates: {threshold: [1]}", "candidates: {minimum_points: 99999999999}",
+          "candidates: 3", "- 1", "candidates: {threshold: 1, threshold: 2}", "candidates: {threshold: 3 m}",
+          "occupancy: {obstacle_minimum_height_m: 0.5, obstacle_maximum_height_m: 0.4}", "a: [", "\t- x: y\n  - ["}) {
+        EXPECT_THAT(problemWith(yaml), HasSubstr("test.yaml: ")) << yaml;
+    }
+}
+
+TEST(Parameters, AMissingFileIsAnError) {
+    EXPECT_THROW(readParameters("/nonexistent/p.yaml", paper()), Error);
+}
+
+}  // namespace
+}  // namespace fodscope
