@@ -31,6 +31,10 @@ class SessionFile : public Journal {
     /// @throws Error when it is missing, no session, damaged, of a newer version, or may not be written
     static std::unique_ptr<SessionFile> open(const std::filesystem::path& file);
 
+    /// Opens a file for reading alone, even where it may not be written; recording throws.
+    /// @throws Error as open() but for the last
+    static std::unique_ptr<SessionFile> openForReading(const std::filesystem::path& file);
+
     ~SessionFile() override;
 
     /// Reads the whole inspection back.
