@@ -82,8 +82,10 @@ PointCloud readAscii(std::span<const std::byte> bytes, const PcdHeader& header, 
             word = words.word();
         if (row.back().empty()) throw truncated(subject, header);
         Eigen::Vector3d point;
-        for (int axis = 0; axis < 3; ++axis)
-            point[axis] = number(row[used.axes[static_cast<std::size_t>(axis)]->column]);
+        for (int axis = 0; axis < 3; ++axis) {
+            const PcdField& field = *used.axes[static_cast<std::size_t>(axis)];
+            point[axis] = asStored(number(row[field.column]), field.type);
+        }
         std::optional<std::uint32_t> colour;
         if (used.colour != nullptr) {
             const double value = number(row[used.colour->column]);

@@ -36,7 +36,7 @@ class PlyNumbers {
           subject_(subject) {}
 
     double next(ScalarType type) {
-        if (encoding_ == PlyEncoding::Ascii) return nextWord();
+        if (encoding_ == PlyEncoding::Ascii) return asStored(nextWord(), type);
         const std::size_t size = sizeOf(type);
         if (size > bytes_.size() - position_) throw truncated();
         const std::endian order = encoding_ == PlyEncoding::BigEndian ? std::endian::big : std::endian::little;

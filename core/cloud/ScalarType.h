@@ -33,6 +33,11 @@ constexpr bool isFloating(ScalarType type) {
     return type == ScalarType::Float32 || type == ScalarType::Float64;
 }
 
+/// @return the value as a binary file would give it back: text of the type float32 has no more digits than that
+inline double asStored(double value, ScalarType type) {
+    return type == ScalarType::Float32 ? static_cast<double>(static_cast<float>(value)) : value;
+}
+
 template <class Number>
 Number loadNumber(const std::byte* bytes, std::endian order = std::endian::little) {
     std::byte copy[sizeof(Number)];

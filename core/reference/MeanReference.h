@@ -39,8 +39,8 @@ struct AlignedNominalMap {
 ReferenceMap meanReference(std::span<const AlignedNominalMap> maps, const MeanReferenceSettings& settings,
                            Progress& progress);
 
-/// Σ_i = Σ S_j / Σ n_j over the k nearest reference points, itself included. Points whose neighbourhood has no sample
-/// are marked untrained and get a NaN covariance.
+/// Σ_i = Σ S_j / Σ n_j over the k nearest reference points, itself included. Points whose neighbourhood has no sample,
+/// or samples in one plane only, so that Σ has no inverse, are marked untrained and get a NaN covariance.
 void smoothCovariances(ReferenceMap& reference, int neighbours, Progress& progress);
 
 }  // namespace fodscope

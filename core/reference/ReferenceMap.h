@@ -21,7 +21,8 @@ struct ReferenceMap {
     std::vector<Eigen::Matrix3d> scatter;
     /// Σ_i: smoothed covariance, m².
     std::vector<Eigen::Matrix3d> covariance;
-    /// 1 where no sample supports the covariance; such a point gives no Mahalanobis discrepancy.
+    /// 1 where the samples do not support a covariance (none, or none out of one plane); such a point gives no
+    /// Mahalanobis discrepancy.
     std::vector<std::uint8_t> untrained;
     /// How it was made, one line each; kept as comments in the file.
     std::vector<std::string> provenance;
