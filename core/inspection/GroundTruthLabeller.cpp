@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "core/inspection/GroundTruthLabeller.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/simulation/PhotoCamera.h"
+
+namespace fodscope {
+namespace {
+
+constexpr const char* kOtherFod = "other FOD";
+
+/// @return the object's label, and a comment where the set has none for it
+std::pair<std::string, std::string> labelFor(const std::string& type, const LabelSet& labels) {
+    if (const Label* label = findByType(labels, type)) return {label->name, ""};
+    const Label* other = findByType(labels, kOtherFod);
+    return {other ? other->name : kNotSure, "shows a " + type + ", for which the label set has no label"};
+}
+
+}  // namespace
+
+GroundTruthLabeller::GroundTruthLabeller(std::shared_ptr<const World> world, bool builtin)
+    : world_(std::move(world)),
+      raycaster_(*world_),
+      name_(builtin ? "built-in world's ground truth" : "world's ground truth") {}
+
+PhotoAnswer GroundTruthLabeller::answer(const Photo& photo, const LabelSet& labels) const {
+    const Transform T_world_from_camera = world_->T_map_from_world.inverse() * photo.T_map_from_camera;
+    const std::vector<std::size_t> pixels = visiblePixels(*world_, raycaster_, T_world_from_camera, photo.intrinsics);
+    PhotoAnswer answer;
+    for (std::size_t i = 0; i < world_->objects.size(); ++i) {
+        if (!world_->objects[i].fod || pixels[i] < kLeastPixels) continue;
+        const auto [label, comment] = labelFor(world_->objects[i].type, labels);
+        if (!comment.empty()) answer.comment += (answer.comment.empty() ? "" : "; ") + comment;
+        if (std::ranges::find(answer.labels, label, &PhotoLabel::label) == answer.labels.end()) {
+            answer.labels.push_back({label, std::nullopt});
+        }
+    }
+    if (answer.labels.empty()) answer.labels.push_back({kNoFod, std::nullopt});
+    return answer;
+}
+
+}  // namespace fodscope
