@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "core/detection/DiscrepancyPly.h"
+
+#include <charconv>
+#include <string>
+#include <vector>
+
+#include "core/cloud/Ply.h"
+#include "core/cloud/PlyCloud.h"
+
+namespace fodscope {
+namespace {
+
+/// @return 7 for "C-007"; −1 when the id has no number
+double numberInId(const std::string& id) {
+    const std::size_t first = id.find_first_of("0123456789");
+    int number = -1;
+    if (first != std::string::npos) std::from_chars(id.data() + first, id.data() + id.size(), number);
+    return number;
+}
+
+PlyColumn candidateColumn(const DiscrepancyField& field, const CandidateSet& candidates) {
+    PlyColumn column{"candidate", ScalarType::Int32, std::vector<double>(field.size(), -1.0)};
+    for (const Candidate& candidate : candidates.candidates) {
+        for (const std::uint32_t voxel : candidate.voxels)
+            column.values[voxel] = numberInId(candidate.id);
+    }
+    return column;
+}
+
+}  // namespace
+
+void writeDiscrepancyPly(const std::filesystem::path& file, const DiscrepancyField& field,
+                         const CandidateSet& candidates, Metric metric) {
+    std::vector<PlyColumn> columns = plyColumns(field.points);
+    columns.push_back({"weight", ScalarType::Int32, {field.weights.begin(), field.weights.end()}});
+    columns.push_back({"euclidean", ScalarType::Float32, field.euclidean_m});
+    if (field.hasMahalanobis()) columns.push_back({"mahalanobis", ScalarType::Float32, field.mahalanobis});
+    columns.push_back({"discrepancy", ScalarType::Float32, field.smoothed(metric)});
+    columns.push_back(candidateColumn(field, candidates));
+    const std::string unit = metric == Metric::Euclidean ? "euclidean, metres" : "mahalanobis, unitless";
+    const std::vector<std::string> comments{"Fodscope discrepancy, reference frame, metres",
+                                            "discrepancy is smoothed " + unit};
+    writePly(file, comments, columns);
+}
+
+}  // namespace fodscope

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "core/detection/Discrepancy.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/cloud/VoxelGrid.h"
+#include "core/common/Error.h"
+#include "tests/unit/cloud/RandomPoints.h"
+
+namespace fodscope {
+namespace {
+
+const Eigen::Matrix3d kCovariance =
+    (Eigen::Matrix3d() << 4e-4, 1e-4, 0.0, 1e-4, 9e-4, -1e-4, 0.0, -1e-4, 1e-4).finished();
+
+/// A unit cube of random points, with one covariance everywhere.
+ReferenceMap trainedCube() {
+    ReferenceMap reference;
+    reference.points = randomPoints(500, 31);
+    reference.covariance.assign(reference.size(), kCovariance);
+    reference.untrained.assign(reference.size(), 0);
+    return reference;
+}
+
+DiscrepancySettings settingsOf(double voxel, int smoothing) {
+    DiscrepancySettings settings;
+    settings.voxelSize_m = voxel;
+    settings.smoothingNeighbours = smoothing;
+    return settings;
+}
+
+std::uint32_t nearestByBruteForce(const ReferenceMap& reference, const Eigen::Vector3d& point) {
+    const auto nearer = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+        return (a - point).squaredNorm() < (b - point).squaredNorm();
+    };
+    const auto found = std::min_element(reference.points.begin(), reference.points.end(), nearer);
+    return static_cast<std::uint32_t>(found - reference.points.begin());
+}
+
+TEST(Discrepancy, FollowsTheDefinition) {
+    const ReferenceMap reference = trainedCube();
+    const auto map = randomPoints(3000, 32);
+    Progress progress;
+    const DiscrepancyField field =
+        measureDiscrepancy(map, Transform::Identity(), reference, settingsOf(0.1, 7), progress);
+    ASSERT_EQ(field.weights.size(), field.size());
+    ASSERT_EQ(field.mahalanobis.size(), field.size());
+    for (std::size_t i = 0; i < field.size(); i += 5) {
+        EXPECT_EQ(field.nearest[i], nearestByBruteForce(reference, field.points[i]));
+        const Eigen::Vector3d deviation = field.points[i] - reference.points[field.nearest[i]];
+        EXPECT_NEAR(field.euclidean_m[i], deviation.norm(), 1e-12);
+        const double squared = deviation.dot(kCovariance.inverse() * deviation);
+        EXPECT_NEAR(field.mahalanobis[i], std::sqrt(squared), 1e-9 * std::sqrt(squared));
+
+        std::vector<std::size_t> order(field.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return (field.points[a] - field.points[i]).squaredNorm() <
+                   (field.points[b] - field.points[i]).squaredNorm();
+        });
+        double sum = 0.0;
+        double squares = 0.0;
+        double weight = 0.0;
+        for (std::size_t j = 0; j < 7; ++j) {
+            sum += field.weights[order[j]] * field.euclidean_m[order[j]];
+            squares += field.weights[order[j]] * field.mahalanobis[order[j]];
+            weight += field.weights[order[j]];
+        }
+        EXPECT_NEAR(field.smoothedEuclidean_m[i], sum / weight, 1e-12);
+        EXPECT_NEAR(field.smoothedMahalanobis[i], squares / weight, 1e-9);
+    }
+}
+
+TEST(Discrepancy, CropsStrictlyInsideTheReferenceAndBelowTheCropHeight) {
+    ReferenceMap reference;
+    reference.points = {{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}};
+    const std::vector<Eigen::Vector3d> map{{0.5, 0.5, 0.5}, {0.5, 0.5, 0.0},  {0.5, 1.0, 0.5},
+                                           {0.5, 0.5, 0.8}, {-0.1, 0.5, 0.5}, {0.5, 0.5, 0.6}};
+    DiscrepancySettings settings = settingsOf(0.01, 1);
+    Progress progress;
+    EXPECT_EQ(measureDiscrepancy(map, Transform::Identity(), reference, settings, progress).size(), 3u);
+    settings.cropHeight_m = 0.6;
+    EXPECT_EQ(measureDiscrepancy(map, Transform::Identity(), reference, settings, progress).size(), 1u);
+    settings.cropToReference = false;
+    EXPECT_EQ(measureDiscrepancy(map, Transform::Identity(), reference, settings, progress).size(), 4u);
+    settings.cropHeight_m.reset();
+    EXPECT_EQ(measureDiscrepancy(map, Transform::Identity(), reference, settings, progress).size(), 6u);
+}
+
+TEST(Discrepancy, VoxelsBeginAtTheLeastPointLeftByTheCrop) {
+    ReferenceMap reference;
+    reference.points = {{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}};
+    // From 0.105 on, voxels of 0.1 end at 0.205: the first two share one, from 0 on they would not.
+    const std::vector<Eigen::Vector3d> map{{0.105, 0.5, 0.5}, {0.204, 0.5, 0.5}, {0.206, 0.5, 0.5}, {-3.0, 0.5, 0.5}};
+    Progress progress;
+    const DiscrepancyField field =
+        measureDiscrepancy(map, Transform::Identity(), reference, settingsOf(0.1, 1), progress);
+    EXPECT_EQ(field.weights, (std::vector<std::uint32_t>{2, 1}));
+    EXPECT_EQ(field.smoothedEuclidean_m, field.euclidean_m);
+}
+
+TEST(Discrepancy, MovesTheMapIntoTheReferenceFrame) {
+    ReferenceMap reference;
+    reference.points = {{0.0, 0.0, 0.0}, {2.0, 2.0, 2.0}};
+    Transform T_reference_from_map = Transform::Identity();
+    T_reference_from_map.translation() = Eigen::Vector3d(1.0, 0.5, 0.25);
+    const std::vector<Eigen::Vector3d> map{{0.0, 0.0, 0.0}};
+    Progress progress;
+    const DiscrepancyField field =
+        measureDiscrepancy(map, T_reference_from_map, reference, settingsOf(0.1, 1), progress);
+    EXPECT_EQ(field.points.front(), Eigen::Vector3d(1.0, 0.5, 0.25));
+}
+
+TEST(Discrepancy, IsUnknownWhereTheReferenceIsUntrained) {
+    ReferenceMap reference;
+    reference.points = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.5, 5.0, 5.0}, {0.5, -5.0, -5.0}};
+    reference.covariance.assign(4, kCovariance);
+    reference.covariance[1].setConstant(std::nan(""));
+    reference.untrained = {0, 1, 0, 0};
+    const std::vector<Eigen::Vector3d> map{{0.1, 0.0, 0.0}, {0.2, 0.0, 0.0}, {0.8, 0.0, 0.0}, {0.9, 0.0, 0.0}};
+    Progress progress;
+    const DiscrepancyField field =
+        measureDiscrepancy(map, Transform::Identity(), reference, settingsOf(0.05, 2), progress);
+    ASSERT_EQ(field.size(), 4u);
+    EXPECT_FALSE(std::isnan(field.mahalanobis[1]));
+    EXPECT_TRUE(std::isnan(field.mahalanobis[2]));
+    EXPECT_FALSE(std::isnan(field.smoothedMahalanobis[0]));
+    EXPECT_TRUE(std::isnan(field.smoothedMahalanobis[3]));
+    // With a known neighbour the known part counts.
+    const DiscrepancyField wider =
+        measureDiscrepancy(map, Transform::Identity(), reference, settingsOf(0.05, 3), progress);
+    EXPECT_DOUBLE_EQ(wider.smoothedMahalanobis[2], field.mahalanobis[1]);
+    EXPECT_FALSE(std::isnan(wider.smoothedEuclidean_m[3]));
+}
+
+TEST(Discrepancy, TellsWhenMahalanobisIsAskedForWithoutCovariances) {
+    ReferenceMap reference;
+    reference.points = randomPoints(20, 33);
+    Progress progress;
+    const DiscrepancyField field =
+        measureDiscrepancy(randomPoints(100, 34), Transform::Identity(), reference, {}, progress);
+    EXPECT_FALSE(field.hasMahalanobis());
+    EXPECT_NO_THROW(field.smoothed(Metric::Euclidean));
+    EXPECT_THROW(field.smoothed(Metric::Mahalanobis), Error);
+}
+
+TEST(Discrepancy, RefusesAMapOutsideTheReferenceAndSettingsOutOfRange) {
+    const ReferenceMap reference = trainedCube();
+    const auto map = randomPoints(50, 35);
+    Progress progress;
+    const auto measure = [&](const DiscrepancySettings& settings, double shift) {
+        Transform moved = Transform::Identity();
+        moved.translation().x() = shift;
+        return measureDiscrepancy(map, moved, reference, settings, progress);
+    };
+    EXPECT_THROW(measure(settingsOf(0.1, 1), 100.0), Error);
+    EXPECT_THROW(measure(settingsOf(0.0, 1), 0.0), Error);
+    EXPECT_THROW(measure(settingsOf(0.1, 0), 0.0), Error);
+    DiscrepancySettings settings = settingsOf(0.1, 1);
+    settings.cropHeight_m = std::nan("");
+    EXPECT_THROW(measure(settings, 0.0), Error);
+    EXPECT_THROW(measureDiscrepancy({}, Transform::Identity(), reference, {}, progress), Error);
+    EXPECT_THROW(measureDiscrepancy(map, Transform::Identity(), {}, {}, progress), Error);
+    progress.cancel();
+    EXPECT_THROW(measure(settingsOf(0.1, 1), 0.0), Cancelled);
+}
+
+}  // namespace
+}  // namespace fodscope
