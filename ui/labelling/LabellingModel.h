@@ -3,6 +3,7 @@
 
 #include <QByteArray>
 #include <QString>
+#include <QtGlobal>
 #include <optional>
 #include <span>
 #include <string>
@@ -50,6 +51,10 @@ QString progressText(std::span<const PhotoState> states);
 /// @return labels in words, e.g. "hammer, glove"; "nothing" for none
 QString labelsInWords(std::span<const PhotoLabel> labels);
 
+/// @return the key as it would be without Shift: on most layouts Shift+1 arrives as another sign, so the place of the
+///         key on the keyboard (X11's and Wayland's scan code) decides, then the signs of the US layout
+int keyWithoutShift(int qtKey, bool shift, quint32 nativeScanCode);
+
 /// @return the label that a key gives, or null; letters of either case
 const Label* labelForKey(const LabelSet& labels, int qtKey);
 
@@ -76,7 +81,7 @@ struct DraftStep {
 };
 
 /// A label key: labels an open box (and stays); with `addAnother` adds the label (and stays); else adds it and decides.
-DraftStep giveLabel(const LabelDraft& draft, const Label& label, const LabelSet& labels, bool addAnother);
+DraftStep giveLabel(const LabelDraft& draft, const Label& label, bool addAnother);
 
 /// Enter: decides what is in the draft.
 DraftStep finishDraft(const LabelDraft& draft);

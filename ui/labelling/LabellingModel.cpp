@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "ui/labelling/LabellingModel.h"
+
+#include <QObject>
+#include <QStringList>
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace fodscope {
+
+std::vector<LabelPhoto> labelPhotos(const InspectionState& state) {
+    std::vector<LabelPhoto> photos;
+    photos.reserve(state.photos.size());
+    for (const Photo& photo : state.photos) {
+        LabelPhoto item;
+        item.id = photo.id;
+        item.candidateIds = photo.candidateIds;
+        item.waypointId = photo.waypointId;
+        item.taken = photo.taken;
+        item.bytes =
+            QByteArray(reinterpret_cast<const char*>(photo.bytes.data()), static_cast<int>(photo.bytes.size()));
+        if (state.detection) item.outlines = candidateOutlines(*state.detection, photo);
+        photos.push_back(std::move(item));
+    }
+    return photos;
+}
+
+QString toWords(PhotoState state) {
+    switch (state) {
+        case PhotoState::Undecided:
+            return QObject::tr("undecided");
+        case PhotoState::NotSure:
+            return QObject::tr("not sure");
+        case PhotoState::NoFod:
+            return QObject::tr("no FOD");
+        case PhotoState::Fod:
+            return QObject::tr("FOD");
+    }
+    return {};
+}
+
+PhotoState photoState(const Decision* decision, const LabelSet& labels) {
+    if (!decision || decision->labels.empty()) return PhotoState::Undecided;
+    bool notSure = false;
+    bool fod = false;
+    for (const PhotoLabel& given : decision->labels) {
+        const Label* label = labels.find(given.label);
+        // A label of an earlier label set is not in this one; only the two fixed ones are not FOD.
+        const bool isNotSure = label ? label->kind == LabelKind::NotSure : given.label == kNotSure;
+        const bool isNoFod = label ? label->kind == LabelKind::NoFod : given.label == kNoFod;
+        notSure = notSure || isNotSure;
+        fod = fod || (!isNotSure && !isNoFod);
+    }
+    if (fod) return PhotoState::Fod;
+    return notSure ? PhotoState::NotSure : PhotoState::NoFod;
+}
+
+std::vector<PhotoState> photoStates(std::span<const LabelPhoto> photos, std::span<const Decision> decisions,
+                                    const std::string& labeller, const LabelSet& labels) {
+    std::vector<PhotoState> states;
+    states.reserve(photos.size());
+    for (const LabelPhoto& photo : photos) {
+        states.push_back(photoState(lastDecision(decisions, photo.id, labeller), labels));
+    }
+    return states;
+}
+
+std::optional<int> nextUndecided(std::span<const PhotoState> states, int current) {
+    const int count = static_cast<int>(states.size());
+    for (int step = 1; step <= count; ++step) {
+        const int index = (std::max(current, -1) + step) % count;
+        if (states[static_cast<std::size_t>(index)] == PhotoState::Undecided) return index;
+    }
+    return std::nullopt;
+}
+
+QString progressText(std::span<const PhotoState> states) {
+    if (states.empty()) return QObject::tr("no photos");
+    const auto undecided = std::count(states.begin(), states.end(), PhotoState::Undecided);
+    const auto notSure = std::count(states.begin(), states.end(), PhotoState::NotSure);
+    QString text = QObject::tr("%1 of %2 decided").arg(states.size() - undecided).arg(states.size());
+    if (notSure > 0) text += QObject::tr(" · %1 not sure").arg(notSure);
+    return text;
+}
+
+QString labelsInWords(std::span<const PhotoLabel> labels) {
+    QStringList words;
+    for (const PhotoLabel& label : labels)
+        words << QString::fromStdString(label.label);
+    return words.isEmpty() ? QObject::tr("nothing") : words.join(QStringLiteral(", "));
+}
+
+int keyWithoutShift(int qtKey, bool shift, quint32 nativeScanCode) {
+    if (!shift) return qtKey;
+    constexpr quint32 kScanCodeOf1 = 10;
+    if (nativeScanCode >= kScanCodeOf1 && nativeScanCode < kScanCodeOf1 + 9) {
+        return Qt::Key_1 + static_cast<int>(nativeScanCode - kScanCodeOf1);
+    }
+    if (nativeScanCode == kScanCodeOf1 + 9) return Qt::Key_0;
+    constexpr std::pair<int, int> kUsSigns[] = {{Qt::Key_Exclam, Qt::Key_1},     {Qt::Key_At, Qt::Key_2},
+                                                {Qt::Key_NumberSign, Qt::Key_3}, {Qt::Key_Dollar, Qt::Key_4},
+                                                {Qt::Key_Percent, Qt::Key_5},    {Qt::Key_AsciiCircum, Qt::Key_6},
+                                                {Qt::Key_Ampersand, Qt::Key_7},  {Qt::Key_Asterisk, Qt::Key_8},
+                                                {Qt::Key_ParenLeft, Qt::Key_9},  {Qt::Key_ParenRight, Qt::Key_0}};
+    for (const auto& [sign, digit] : kUsSigns) {
+        if (qtKey == sign) return digit;
+    }
+    return qtKey;
+}
+
+const Label* labelForKey(const LabelSet& labels, int qtKey) {
+    if (qtKey <= 0x20 || qtKey >= 0x7f) return nullptr;
+    const auto upper = [](int character) { return std::toupper(character); };
+    for (const Label& label : labels.labels) {
+        if (label.key != 0 && upper(static_cast<unsigned char>(label.key)) == upper(qtKey)) return &label;
+    }
+    return nullptr;
+}
+
+QString keyCapText(const Label& label) {
+    return label.key == 0 ? QString() : QString(QChar::fromLatin1(label.key)).toUpper();
+}
+
+DraftStep giveLabel(const LabelDraft& draft, const Label& label, bool addAnother) {
+    DraftStep step{draft, std::nullopt, {}};
+    const bool isNoFod = label.kind == LabelKind::NoFod;
+    if (isNoFod && draft.openBox) {
+        step.refusal = QObject::tr("The box waits for a label of FOD. Backspace takes the box away.");
+        return step;
+    }
+    if (isNoFod && !draft.labels.empty()) {
+        step.refusal = QObject::tr("“no FOD” cannot stand beside %1. Backspace takes the last label away.")
+                           .arg(labelsInWords(draft.labels));
+        return step;
+    }
+    if (draft.openBox) {
+        step.draft.labels.push_back({label.name, draft.openBox});
+        step.draft.openBox.reset();
+        return step;
+    }
+    if (isNoFod && addAnother) {
+        step.refusal = QObject::tr("“no FOD” stands alone: press %1 without Shift.").arg(keyCapText(label));
+        return step;
+    }
+    step.draft.labels.push_back({label.name, std::nullopt});
+    if (!addAnother) step.decision = step.draft.labels;
+    return step;
+}
+
+DraftStep finishDraft(const LabelDraft& draft) {
+    DraftStep step{draft, std::nullopt, {}};
+    if (draft.openBox) {
+        step.refusal = QObject::tr("Give the box a label first, or take it away with Backspace.");
+    } else if (!draft.labels.empty()) {
+        step.decision = draft.labels;
+    }
+    return step;
+}
+
+LabelDraft dropLast(LabelDraft draft) {
+    if (draft.openBox) {
+        draft.openBox.reset();
+    } else if (!draft.labels.empty()) {
+        draft.labels.pop_back();
+    }
+    return draft;
+}
+
+namespace {
+
+/// The decisions of one reader on one photo that still count, oldest first, after every undo took back one.
+std::vector<const Decision*> standing(std::span<const Decision> decisions, const std::string& photoId,
+                                      const std::string& labeller) {
+    std::vector<const Decision*> stack;
+    for (const Decision& decision : decisions) {
+        if (decision.photoId != photoId || decision.labeller != labeller) continue;
+        if (!decision.labels.empty()) {
+            stack.push_back(&decision);
+        } else if (!stack.empty()) {
+            stack.pop_back();
+        }
+    }
+    return stack;
+}
+
+}  // namespace
+
+std::optional<TakenBack> newestUndo(std::span<const Decision> decisions, const std::string& labeller) {
+    for (std::size_t count = decisions.size(); count > 0; --count) {
+        const Decision& newest = decisions[count - 1];
+        if (newest.labeller != labeller) continue;
+        if (!newest.labels.empty()) return std::nullopt;
+        const auto before = standing(decisions.first(count - 1), newest.photoId, labeller);
+        return TakenBack{newest.photoId, before.empty() ? std::vector<PhotoLabel>{} : before.back()->labels};
+    }
+    return std::nullopt;
+}
+
+bool hasDecisions(std::span<const Decision> decisions, const std::string& labeller) {
+    return std::any_of(decisions.begin(), decisions.end(), [&](const Decision& decision) {
+        return decision.labeller == labeller && !standing(decisions, decision.photoId, labeller).empty();
+    });
+}
+
+}  // namespace fodscope
