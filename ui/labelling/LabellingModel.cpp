@@ -42,18 +42,12 @@ QString toWords(PhotoState state) {
 
 PhotoState photoState(const Decision* decision, const LabelSet& labels) {
     if (!decision || decision->labels.empty()) return PhotoState::Undecided;
-    bool notSure = false;
-    bool fod = false;
-    for (const PhotoLabel& given : decision->labels) {
-        const Label* label = labels.find(given.label);
-        // A label of an earlier label set is not in this one; only the two fixed ones are not FOD.
-        const bool isNotSure = label ? label->kind == LabelKind::NotSure : given.label == kNotSure;
-        const bool isNoFod = label ? label->kind == LabelKind::NoFod : given.label == kNoFod;
-        notSure = notSure || isNotSure;
-        fod = fod || (!isNotSure && !isNoFod);
-    }
-    if (fod) return PhotoState::Fod;
-    return notSure ? PhotoState::NotSure : PhotoState::NoFod;
+    const auto names = [&](LabelKind kind) {
+        return std::any_of(decision->labels.begin(), decision->labels.end(),
+                           [&](const PhotoLabel& given) { return kindOf(labels, given.label) == kind; });
+    };
+    if (names(LabelKind::Fod)) return PhotoState::Fod;
+    return names(LabelKind::NotSure) ? PhotoState::NotSure : PhotoState::NoFod;
 }
 
 std::vector<PhotoState> photoStates(std::span<const LabelPhoto> photos, std::span<const Decision> decisions,
@@ -167,39 +161,20 @@ LabelDraft dropLast(LabelDraft draft) {
     return draft;
 }
 
-namespace {
-
-/// The decisions of one reader on one photo that still count, oldest first, after every undo took back one.
-std::vector<const Decision*> standing(std::span<const Decision> decisions, const std::string& photoId,
-                                      const std::string& labeller) {
-    std::vector<const Decision*> stack;
-    for (const Decision& decision : decisions) {
-        if (decision.photoId != photoId || decision.labeller != labeller) continue;
-        if (!decision.labels.empty()) {
-            stack.push_back(&decision);
-        } else if (!stack.empty()) {
-            stack.pop_back();
-        }
-    }
-    return stack;
-}
-
-}  // namespace
-
-std::optional<TakenBack> newestUndo(std::span<const Decision> decisions, const std::string& labeller) {
-    for (std::size_t count = decisions.size(); count > 0; --count) {
-        const Decision& newest = decisions[count - 1];
-        if (newest.labeller != labeller) continue;
-        if (!newest.labels.empty()) return std::nullopt;
-        const auto before = standing(decisions.first(count - 1), newest.photoId, labeller);
-        return TakenBack{newest.photoId, before.empty() ? std::vector<PhotoLabel>{} : before.back()->labels};
+std::optional<TakenBack> takenBack(std::span<const Decision> before, std::span<const Decision> after,
+                                   const std::string& labeller) {
+    for (std::size_t index = after.size(); index > before.size(); --index) {
+        const Decision& act = after[index - 1];
+        if (act.labeller != labeller) continue;
+        const Decision* counted = lastDecision(before, act.photoId, labeller);
+        return TakenBack{act.photoId, counted ? counted->labels : std::vector<PhotoLabel>{}};
     }
     return std::nullopt;
 }
 
 bool hasDecisions(std::span<const Decision> decisions, const std::string& labeller) {
     return std::any_of(decisions.begin(), decisions.end(), [&](const Decision& decision) {
-        return decision.labeller == labeller && !standing(decisions, decision.photoId, labeller).empty();
+        return lastDecision(decisions, decision.photoId, labeller) != nullptr;
     });
 }
 

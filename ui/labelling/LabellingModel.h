@@ -89,12 +89,17 @@ DraftStep finishDraft(const LabelDraft& draft);
 /// Backspace: drops the open box, else the label added last.
 LabelDraft dropLast(LabelDraft draft);
 
-/// @return the decision that the newest act of this labeller took back, when the newest act is an undo
+/// What the newest act of a labeller took back.
 struct TakenBack {
     std::string photoId;
     std::vector<PhotoLabel> labels;
 };
-std::optional<TakenBack> newestUndo(std::span<const Decision> decisions, const std::string& labeller);
+
+/// @param before the decisions when the labeller asked for the undo
+/// @param after the decisions with the undo
+/// @return empty when `after` brings no new act of this labeller
+std::optional<TakenBack> takenBack(std::span<const Decision> before, std::span<const Decision> after,
+                                   const std::string& labeller);
 
 /// @return whether this labeller has a decision that still counts
 bool hasDecisions(std::span<const Decision> decisions, const std::string& labeller);

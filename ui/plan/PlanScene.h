@@ -20,8 +20,6 @@ struct PlanCandidate {
     Eigen::Vector2d centroid_map = Eigen::Vector2d::Zero();
     /// Half of the diagonal of its footprint, metres.
     double radius_m = 0.05;
-    /// Which of the candidate colours it has.
-    int colourIndex = 0;
     Verdict verdict = Verdict::NotPhotographed;
     /// Why no waypoint photographs it; empty when one does, or when nothing is planned yet.
     std::string noWaypointReason;

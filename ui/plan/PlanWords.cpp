@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "ui/plan/PlanWords.h"
+
+#include <QObject>
+#include <QStringList>
+#include <algorithm>
+
+namespace fodscope {
+
+namespace {
+
+QString candidateWords(const PlanCandidate& candidate, const PlanScene& scene) {
+    QStringList lines{QObject::tr("%1 · %2").arg(QString::fromStdString(candidate.id),
+                                                 QString::fromStdString(toString(candidate.verdict)))};
+    if (!candidate.noWaypointReason.empty()) {
+        lines << QObject::tr("No waypoint: %1").arg(reasonInWords(candidate.noWaypointReason));
+    }
+    for (const PlanWaypoint& waypoint : scene.waypoints) {
+        const auto& ids = waypoint.candidateIds;
+        if (std::find(ids.begin(), ids.end(), candidate.id) == ids.end()) continue;
+        lines << QObject::tr("Photographed from %1").arg(QString::fromStdString(waypoint.id));
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
+QString waypointWords(const PlanWaypoint& waypoint) {
+    QStringList candidates;
+    for (const std::string& id : waypoint.candidateIds)
+        candidates << QString::fromStdString(id);
+    QString text = QObject::tr("%1 · %2\nLooks at %3")
+                       .arg(QString::fromStdString(waypoint.id), QString::fromStdString(toString(waypoint.state)),
+                            candidates.join(QStringLiteral(", ")));
+    if (!waypoint.reason.empty()) text += QLatin1Char('\n') + QString::fromStdString(waypoint.reason);
+    return text;
+}
+
+QString cellWords(const PlanScene& scene, const Eigen::Vector2d& point_map) {
+    if (!scene.costMap || !scene.costMap->grid.contains(scene.costMap->grid.cellAt(point_map))) return {};
+    const CostMap& map = *scene.costMap;
+    const CellIndex cell = map.grid.cellAt(point_map);
+    QString word;
+    if (map.grid.at(cell) == Cell::Unknown) {
+        word = QObject::tr("not observed");
+    } else if (map.grid.at(cell) == Cell::Occupied) {
+        word = QObject::tr("obstacle");
+    } else if (!map.costs.empty() && map.costAt(cell) >= kCostInscribed) {
+        word = QObject::tr("too near an obstacle for the robot");
+    } else if (!map.reachable.empty() && !map.isReachable(cell)) {
+        word = QObject::tr("out of the robot's reach");
+    } else {
+        word = QObject::tr("free");
+    }
+    return QObject::tr("%1\nx %2 m, y %3 m").arg(word).arg(point_map.x(), 0, 'f', 2).arg(point_map.y(), 0, 'f', 2);
+}
+
+}  // namespace
+
+QString reasonInWords(const std::string& waypointStatus) {
+    if (waypointStatus == toString(WaypointStatus::Unreachable)) return QObject::tr("the robot does not get near it");
+    if (waypointStatus == toString(WaypointStatus::Hidden))
+        return QObject::tr("it is hidden from every place in reach");
+    if (waypointStatus == toString(WaypointStatus::TooCloseToWall)) {
+        return QObject::tr("every place to see it from is too close to an obstacle");
+    }
+    if (waypointStatus == toString(WaypointStatus::OutsideGrid)) return QObject::tr("it lies outside the grid");
+    return QString::fromStdString(waypointStatus);
+}
+
+QString planToolTip(const PlanScene& scene, const PlanHit& hit, const Eigen::Vector2d& point_map) {
+    for (const PlanCandidate& candidate : scene.candidates) {
+        if (hit.item == PlanItem::Candidate && candidate.id == hit.id) return candidateWords(candidate, scene);
+    }
+    for (const PlanWaypoint& waypoint : scene.waypoints) {
+        if (hit.item == PlanItem::Waypoint && waypoint.id == hit.id) return waypointWords(waypoint);
+    }
+    return cellWords(scene, point_map);
+}
+
+}  // namespace fodscope
