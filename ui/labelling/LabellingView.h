@@ -14,8 +14,9 @@ namespace fodscope {
 /// Photo in the middle, label keys below it, thumbnails at the bottom. Shows one labeller's own decisions only.
 ///
 /// A key emits decided(). The view goes on to the next undecided photo when setDecisions() brings that decision back,
-/// that is when it is safe on the disk; decisionFailed() ends the wait with a message instead. When setDecisions()
-/// brings an undo, the view goes to its photo and says what was taken back.
+/// that is when it is safe on the disk; decisionFailed() ends the wait with a message instead. A correction of an
+/// earlier decision stays on its photo. When setDecisions() brings an undo, the view goes to its photo and says what
+/// was taken back.
 class LabellingView : public QWidget {
     Q_OBJECT
 
@@ -57,8 +58,24 @@ class LabellingView : public QWidget {
   protected:
     void keyPressEvent(QKeyEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
+    void goTo(int index);
+    bool mayDecide();
+    void take(const Label& label, bool addAnother);
+    void takeBox(const PixelBox& box);
+    void takeName(const QString& name);
+    bool takeBack();
+    void finish();
+    void apply(const DraftStep& step);
+    void decide(const std::vector<PhotoLabel>& labels);
+    void finishSaving(std::size_t decisionsBefore);
+    void finishUndo();
+    bool takeControlKey(int key);
+    bool takeMoveKey(int key);
+    bool takeCommandKey(int key);
+
     struct Parts;
     std::unique_ptr<Parts> parts_;
 };

@@ -19,7 +19,8 @@ QPointF towards(const QPointF& from, double angle_rad, double distance) {
 void paintTick(QPainter& painter, const QPointF& centre, const QColor& colour) {
     painter.setPen(QPen(colour, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.setBrush(Qt::NoBrush);
-    painter.drawPolyline(QPolygonF{centre + QPointF(-3, 0), centre + QPointF(-0.8, 2.4), centre + QPointF(3.2, -2.6)});
+    painter.drawPolyline(
+        QPolygonF(QVector<QPointF>{centre + QPointF(-3, 0), centre + QPointF(-0.8, 2.4), centre + QPointF(3.2, -2.6)}));
 }
 
 void paintCross(QPainter& painter, const QPointF& centre, const QColor& colour) {
@@ -146,9 +147,9 @@ void paintRobotSign(QPainter& painter, const QPointF& place, double radius_px, d
     painter.drawEllipse(place, radius_px, radius_px);
     painter.setPen(QPen(theme.surface0, 1.0));
     painter.setBrush(colour);
-    painter.drawPolygon(
-        QPolygonF{towards(place, yaw_rad, 0.95 * radius_px), towards(place, yaw_rad + 2.5, 0.75 * radius_px),
-                  towards(place, yaw_rad + M_PI, 0.3 * radius_px), towards(place, yaw_rad - 2.5, 0.75 * radius_px)});
+    painter.drawPolygon(QPolygonF(QVector<QPointF>{
+        towards(place, yaw_rad, 0.95 * radius_px), towards(place, yaw_rad + 2.5, 0.75 * radius_px),
+        towards(place, yaw_rad + M_PI, 0.3 * radius_px), towards(place, yaw_rad - 2.5, 0.75 * radius_px)}));
 }
 
 }  // namespace fodscope

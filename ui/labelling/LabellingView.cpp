@@ -1,0 +1,546 @@
+// SPDX-License-Identifier: MIT
+#include "ui/labelling/LabellingView.h"
+
+#include <QDateTime>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QTimer>
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "ui/labelling/LabellingLayout.h"
+#include "ui/labelling/PhotoDecoder.h"
+
+namespace fodscope {
+
+namespace {
+
+/// What was begun on a photo and not decided; kept while the labeller looks at others.
+struct Unfinished {
+    LabelDraft draft;
+    QString comment;
+};
+
+constexpr std::size_t kDecodedKept = 4;
+
+}  // namespace
+
+struct LabellingView::Parts {
+    LabelSet labelSet;
+    std::vector<LabelPhoto> photos;
+    std::vector<Decision> decisions;
+    std::string labeller;
+    std::vector<PhotoState> states;
+    int current = -1;
+    LabelDraft draft;
+    std::map<std::string, Unfinished> unfinished;
+    std::vector<std::pair<std::string, QImage>> decoded;
+    /// The photo whose decision is on its way to the disk, and whether it was undecided before.
+    std::optional<std::string> saving;
+    bool goOnAfterSaving = true;
+    /// The decisions when an undo was asked for.
+    std::optional<std::vector<Decision>> beforeUndo;
+    bool pictureShown = false;
+    std::unique_ptr<LabellingLayout> layout;
+
+    const LabelPhoto* photo() const { return current < 0 ? nullptr : &photos[static_cast<std::size_t>(current)]; }
+    const Decision* decision() const { return photo() ? lastDecision(decisions, photo()->id, labeller) : nullptr; }
+    int indexOf(const std::string& id) const;
+    const QImage& decode(const LabelPhoto& photo);
+    QString commentOfDecision() const { return decision() ? QString::fromStdString(decision()->comment) : QString(); }
+
+    void recomputeStates();
+    void forgetAllBut(const std::vector<LabelPhoto>& before);
+    void leavePhoto();
+    void enterPhoto(int index);
+    void showPhoto();
+    void showDraft();
+    void showHeader();
+    void showNothing();
+};
+
+int LabellingView::Parts::indexOf(const std::string& id) const {
+    for (std::size_t index = 0; index < photos.size(); ++index) {
+        if (photos[index].id == id) return static_cast<int>(index);
+    }
+    return -1;
+}
+
+const QImage& LabellingView::Parts::decode(const LabelPhoto& photo) {
+    for (const auto& [id, image] : decoded) {
+        if (id == photo.id) return image;
+    }
+    if (decoded.size() >= kDecodedKept) decoded.erase(decoded.begin());
+    decoded.emplace_back(photo.id, decodePhoto(photo.bytes));
+    return decoded.back().second;
+}
+
+void LabellingView::Parts::recomputeStates() {
+    states = photoStates(photos, decisions, labeller, labelSet);
+    layout->thumbnails->setStates(states);
+}
+
+/// Ids begin anew in every inspection: what is kept under an id holds only for the same bytes.
+void LabellingView::Parts::forgetAllBut(const std::vector<LabelPhoto>& before) {
+    const auto isSame = [&](const std::string& id) {
+        const int now = indexOf(id);
+        return now >= 0 && std::any_of(before.begin(), before.end(), [&](const LabelPhoto& photo) {
+                   return photo.id == id && photo.bytes == photos[static_cast<std::size_t>(now)].bytes;
+               });
+    };
+    std::erase_if(decoded, [&](const auto& entry) { return !isSame(entry.first); });
+    std::erase_if(unfinished, [&](const auto& entry) { return !isSame(entry.first); });
+    if (saving && !isSame(*saving)) saving.reset();
+}
+
+void LabellingView::Parts::leavePhoto() {
+    if (!photo()) return;
+    const QString comment = layout->comment->text();
+    if (draft.isEmpty() && comment == commentOfDecision()) {
+        unfinished.erase(photo()->id);
+    } else {
+        unfinished[photo()->id] = {draft, comment};
+    }
+}
+
+void LabellingView::Parts::enterPhoto(int index) {
+    current = index;
+    const auto begun = unfinished.find(photo()->id);
+    draft = begun == unfinished.end() ? LabelDraft{} : begun->second.draft;
+    layout->comment->setText(begun == unfinished.end() ? commentOfDecision() : begun->second.comment);
+    layout->addAnother->setChecked(!draft.labels.empty());
+    layout->thumbnails->setCurrent(index);
+    showPhoto();
+    showHeader();
+    showDraft();
+}
+
+void LabellingView::Parts::showPhoto() {
+    const QImage& image = decode(*photo());
+    pictureShown = !image.isNull();
+    if (pictureShown) {
+        layout->canvas->showPhoto(image, photo()->outlines);
+    } else {
+        const QString waypoint = QString::fromStdString(photo()->waypointId);
+        layout->canvas->showSentence(
+            tr("%1 cannot be shown").arg(QString::fromStdString(photo()->id)),
+            tr("The %1 bytes that arrived are not a readable picture. Answer “not sure”, or photograph again%2.")
+                .arg(photo()->bytes.size())
+                .arg(waypoint.isEmpty() ? QString() : tr(" from %1 in step 4").arg(waypoint)),
+            true);
+    }
+    layout->canvas->setBoxDrawing(pictureShown);
+    layout->tools->setVisible(pictureShown);
+}
+
+void LabellingView::Parts::showHeader() {
+    layout->header->setVisible(true);
+    layout->showHeader(*photo(), states[static_cast<std::size_t>(current)], decision());
+    layout->progress->setText(progressText(states));
+    layout->next->setEnabled(nextUndecided(states, current).has_value());
+}
+
+void LabellingView::Parts::showDraft() {
+    const Decision* counts = decision();
+    layout->canvas->setBoxes(counts ? counts->labels : std::vector<PhotoLabel>{}, draft);
+    layout->showKeys(draft.isEmpty() ? (counts ? counts->labels : std::vector<PhotoLabel>{}) : draft.labels);
+    layout->showDraft(draft, layout->addAnother->isChecked());
+    layout->undo->setEnabled(hasDecisions(decisions, labeller));
+}
+
+void LabellingView::Parts::showNothing() {
+    current = -1;
+    draft = {};
+    pictureShown = false;
+    layout->header->setVisible(false);
+    layout->tools->setVisible(false);
+    layout->canvas->setBoxes({}, {});
+    layout->canvas->showSentence(tr("No photos yet"),
+                                 tr("Photos arrive while the robot visits the candidates: start the visits in step 4."),
+                                 false);
+    layout->canvas->setBoxDrawing(false);
+}
+
+LabellingView::LabellingView(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>()) {
+    qRegisterMetaType<std::vector<PhotoLabel>>("std::vector<fodscope::PhotoLabel>");
+    setObjectName(QStringLiteral("labellingView"));
+    setFocusPolicy(Qt::StrongFocus);
+    parts_->layout = std::make_unique<LabellingLayout>(this);
+    LabellingLayout& layout = *parts_->layout;
+
+    connect(layout.canvas, &PhotoCanvas::boxDrawn, this, &LabellingView::takeBox);
+    connect(layout.canvas, &PhotoCanvas::zoomChanged, this, [&layout] { layout.showTools(); });
+    connect(layout.outline, &QToolButton::clicked, this, &LabellingView::toggleOutline);
+    connect(layout.contrast, &QToolButton::clicked, this, &LabellingView::toggleContrast);
+    connect(layout.zoom, &QToolButton::clicked, layout.canvas, &PhotoCanvas::cycleZoom);
+    connect(layout.next, &QPushButton::clicked, this, &LabellingView::goToNextUndecided);
+    connect(layout.undo, &QPushButton::clicked, this, &LabellingView::requestUndo);
+    connect(layout.finish, &QPushButton::clicked, this, &LabellingView::finish);
+    connect(layout.addAnother, &QPushButton::clicked, this, [this] { parts_->showDraft(); });
+    connect(layout.thumbnails, &ThumbnailStrip::clicked, this, &LabellingView::goTo);
+    connect(layout.prompt, &LabellerPrompt::named, this, &LabellingView::takeName);
+    connect(layout.toast, &Toast::actionTriggered, this, &LabellingView::requestUndo);
+    layout.comment->installEventFilter(this);
+    parts_->showNothing();
+    setLabeller({});
+}
+
+LabellingView::~LabellingView() = default;
+
+void LabellingView::setLabelSet(const LabelSet& labelSet) {
+    parts_->labelSet = labelSet;
+    parts_->layout->makeKeys(labelSet, [this](const Label& label, bool addAnother) { take(label, addAnother); });
+    parts_->recomputeStates();
+    if (parts_->photo()) {
+        parts_->showHeader();
+        parts_->showDraft();
+    }
+}
+
+void LabellingView::setPhotos(std::vector<LabelPhoto> photos) {
+    const std::string shown = parts_->photo() ? parts_->photo()->id : std::string();
+    parts_->leavePhoto();
+    parts_->current = -1;
+    const std::vector<LabelPhoto> before = std::exchange(parts_->photos, std::move(photos));
+    parts_->forgetAllBut(before);
+    parts_->layout->thumbnails->setPhotos(&parts_->photos);
+    parts_->recomputeStates();
+    const int kept = parts_->indexOf(shown);
+    if (parts_->photos.empty()) {
+        parts_->decoded.clear();
+        parts_->showNothing();
+    } else if (kept >= 0) {
+        parts_->enterPhoto(kept);
+    } else {
+        goTo(nextUndecided(parts_->states, -1).value_or(0));
+    }
+}
+
+void LabellingView::setDecisions(std::vector<Decision> decisions) {
+    const std::vector<Decision> before = std::exchange(parts_->decisions, std::move(decisions));
+    parts_->recomputeStates();
+    if (parts_->saving) {
+        finishSaving(before.size());
+    } else if (parts_->beforeUndo) {
+        finishUndo();
+    }
+    if (!parts_->photo()) return;
+    parts_->showHeader();
+    parts_->showDraft();
+}
+
+void LabellingView::finishSaving(std::size_t decisionsBefore) {
+    const auto isIt = [this](const Decision& act) {
+        return act.photoId == *parts_->saving && act.labeller == parts_->labeller;
+    };
+    const auto first =
+        parts_->decisions.begin() + static_cast<std::ptrdiff_t>(std::min(decisionsBefore, parts_->decisions.size()));
+    const auto act = std::find_if(first, parts_->decisions.end(), isIt);
+    if (act == parts_->decisions.end()) return;
+    const QString photo = QString::fromStdString(act->photoId);
+    parts_->saving.reset();
+    parts_->unfinished.erase(act->photoId);
+    parts_->draft = {};
+    parts_->layout->addAnother->setChecked(false);
+    const auto next = nextUndecided(parts_->states, parts_->current);
+    QString message = tr("%1: %2").arg(photo, labelsInWords(act->labels));
+    if (!next) message += tr(" · all photos are decided");
+    parts_->layout->toast->showMessage(StatusKind::Clear, message, tr("Undo"));
+    if (parts_->goOnAfterSaving && next) goTo(*next);
+}
+
+void LabellingView::finishUndo() {
+    const auto undone = takenBack(*parts_->beforeUndo, parts_->decisions, parts_->labeller);
+    if (!undone) return;
+    parts_->beforeUndo.reset();
+    // What was begun on the photo that is left stays; what the undone decision said must not come back by itself.
+    parts_->unfinished.erase(undone->photoId);
+    const int index = parts_->indexOf(undone->photoId);
+    if (index == parts_->current && index >= 0) {
+        parts_->enterPhoto(index);
+    } else if (index >= 0) {
+        goTo(index);
+    }
+    const Decision* now = lastDecision(parts_->decisions, undone->photoId, parts_->labeller);
+    parts_->layout->toast->showMessage(
+        StatusKind::Neutral,
+        tr("Took back “%1” on %2. %3")
+            .arg(labelsInWords(undone->labels), QString::fromStdString(undone->photoId),
+                 now ? tr("It is “%1” again.").arg(labelsInWords(now->labels)) : tr("It is undecided again.")));
+}
+
+void LabellingView::setLabeller(const QString& name) {
+    parts_->labeller = name.toStdString();
+    parts_->layout->showLabeller(name);
+    parts_->recomputeStates();
+    if (parts_->photo()) parts_->enterPhoto(parts_->current);
+}
+
+void LabellingView::takeName(const QString& name) {
+    setLabeller(name);
+    setFocus();
+    emit labellerNamed(name);
+}
+
+void LabellingView::setCurrent(const QString& photoId) {
+    const int index = parts_->indexOf(photoId.toStdString());
+    if (index < 0 || index == parts_->current) return;
+    parts_->leavePhoto();
+    parts_->enterPhoto(index);
+}
+
+void LabellingView::setCandidate(const QString& candidateId) {
+    const std::string id = candidateId.toStdString();
+    const auto shows = [&](const LabelPhoto& photo) {
+        return std::find(photo.candidateIds.begin(), photo.candidateIds.end(), id) != photo.candidateIds.end();
+    };
+    if (parts_->photo() && shows(*parts_->photo())) return;
+    const auto photo = std::find_if(parts_->photos.begin(), parts_->photos.end(), shows);
+    if (photo != parts_->photos.end()) setCurrent(QString::fromStdString(photo->id));
+}
+
+void LabellingView::decisionFailed(const QString& message) {
+    parts_->saving.reset();
+    parts_->beforeUndo.reset();
+    parts_->layout->toast->showMessage(StatusKind::Finding, message);
+    if (parts_->photo()) parts_->showDraft();
+}
+
+QString LabellingView::currentPhoto() const {
+    return parts_->photo() ? QString::fromStdString(parts_->photo()->id) : QString();
+}
+
+QString LabellingView::labeller() const {
+    return QString::fromStdString(parts_->labeller);
+}
+
+void LabellingView::goTo(int index) {
+    if (index < 0 || index >= static_cast<int>(parts_->photos.size()) || index == parts_->current) return;
+    parts_->leavePhoto();
+    parts_->enterPhoto(index);
+    // The photo that a label key would lead to is decoded beforehand, so that it shows at once.
+    QTimer::singleShot(0, this, [this] {
+        const auto next = nextUndecided(parts_->states, parts_->current);
+        if (next) parts_->decode(parts_->photos[static_cast<std::size_t>(*next)]);
+    });
+    emit photoSelected(currentPhoto());
+}
+
+void LabellingView::goToNextUndecided() {
+    const auto next = nextUndecided(parts_->states, parts_->current);
+    if (next && *next != parts_->current) {
+        goTo(*next);
+    } else if (!next && !parts_->photos.empty()) {
+        parts_->layout->toast->showMessage(StatusKind::Clear, tr("All photos are decided."));
+    }
+}
+
+void LabellingView::goToNext() {
+    goTo(parts_->current + 1);
+}
+
+void LabellingView::goToPrevious() {
+    goTo(parts_->current - 1);
+}
+
+void LabellingView::toggleOutline() {
+    parts_->layout->canvas->setOutlineShown(!parts_->layout->canvas->outlineShown());
+    parts_->layout->showTools();
+}
+
+void LabellingView::toggleContrast() {
+    parts_->layout->canvas->setContrast(!parts_->layout->canvas->contrast());
+    parts_->layout->showTools();
+}
+
+void LabellingView::requestUndo() {
+    if (parts_->saving || parts_->beforeUndo) return;
+    if (!hasDecisions(parts_->decisions, parts_->labeller)) {
+        parts_->layout->toast->showMessage(StatusKind::Neutral, tr("There is no decision of yours to take back."));
+        return;
+    }
+    parts_->beforeUndo = parts_->decisions;
+    emit undoRequested();
+}
+
+bool LabellingView::mayDecide() {
+    if (!parts_->photo() || parts_->saving) return false;
+    if (!parts_->labeller.empty()) return true;
+    parts_->layout->toast->showMessage(StatusKind::Attention, tr("Say first who you are: a decision carries a name."));
+    parts_->layout->prompt->takeFocus();
+    return false;
+}
+
+void LabellingView::take(const Label& label, bool addAnother) {
+    if (!mayDecide()) return parts_->showDraft();
+    if (!parts_->pictureShown && label.kind != LabelKind::NotSure) {
+        parts_->layout->toast->showMessage(StatusKind::Attention,
+                                           tr("This photo cannot be shown: only “not sure” is an answer."));
+        return parts_->showDraft();
+    }
+    apply(giveLabel(parts_->draft, label, addAnother || parts_->layout->addAnother->isChecked()));
+}
+
+void LabellingView::takeBox(const PixelBox& box) {
+    if (!mayDecide()) return;
+    parts_->draft.openBox = box;
+    parts_->showDraft();
+    setFocus();
+}
+
+void LabellingView::finish() {
+    if (!mayDecide()) return;
+    if (!parts_->draft.isEmpty()) return apply(finishDraft(parts_->draft));
+    const Decision* counts = parts_->decision();
+    if (!counts || parts_->layout->comment->text() == parts_->commentOfDecision()) return;
+    // A comment added later is a later decision with the same labels.
+    decide(counts->labels);
+}
+
+void LabellingView::apply(const DraftStep& step) {
+    parts_->draft = step.draft;
+    if (!step.refusal.isEmpty()) parts_->layout->toast->showMessage(StatusKind::Attention, step.refusal);
+    if (step.decision) {
+        decide(*step.decision);
+    } else {
+        parts_->showDraft();
+    }
+}
+
+void LabellingView::decide(const std::vector<PhotoLabel>& labels) {
+    // A correction leaves the labeller where they are; a first answer leads on.
+    parts_->goOnAfterSaving = parts_->decision() == nullptr;
+    parts_->saving = parts_->photo()->id;
+    emit decided(currentPhoto(), labels, parts_->layout->comment->text().trimmed());
+}
+
+bool LabellingView::eventFilter(QObject* watched, QEvent* event) {
+    if (watched != parts_->layout->comment || event->type() != QEvent::KeyPress) {
+        return QWidget::eventFilter(watched, event);
+    }
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Escape) {
+        parts_->layout->comment->setText(parts_->commentOfDecision());
+        setFocus();
+        return true;
+    }
+    if (key != Qt::Key_Return && key != Qt::Key_Enter) return false;
+    setFocus();
+    if (parts_->draft.isEmpty() && parts_->decision()) finish();
+    return true;
+}
+
+void LabellingView::keyPressEvent(QKeyEvent* event) {
+    const Qt::KeyboardModifiers modifiers = event->modifiers() & ~Qt::KeypadModifier;
+    const bool shift = modifiers == Qt::ShiftModifier;
+    if (modifiers == Qt::ControlModifier ? takeControlKey(event->key()) : takeMoveKey(event->key())) return;
+    if (modifiers != Qt::NoModifier && !shift) return QWidget::keyPressEvent(event);
+    const int key = keyWithoutShift(event->key(), shift, event->nativeScanCode());
+    if (const Label* label = labelForKey(parts_->labelSet, key)) {
+        if (!event->isAutoRepeat()) take(*label, shift);
+        return;
+    }
+    if (!takeCommandKey(key)) QWidget::keyPressEvent(event);
+}
+
+bool LabellingView::takeControlKey(int key) {
+    constexpr double kPan_px = 60.0;
+    PhotoCanvas* canvas = parts_->layout->canvas;
+    switch (key) {
+        case Qt::Key_Z:
+            requestUndo();
+            return true;
+        case Qt::Key_Left:
+            canvas->pan({kPan_px, 0});
+            return true;
+        case Qt::Key_Right:
+            canvas->pan({-kPan_px, 0});
+            return true;
+        case Qt::Key_Up:
+            canvas->pan({0, kPan_px});
+            return true;
+        case Qt::Key_Down:
+            canvas->pan({0, -kPan_px});
+            return true;
+        default:
+            return false;
+    }
+}
+
+bool LabellingView::takeMoveKey(int key) {
+    switch (key) {
+        case Qt::Key_Right:
+        case Qt::Key_Down:
+            goToNext();
+            return true;
+        case Qt::Key_Left:
+        case Qt::Key_Up:
+            goToPrevious();
+            return true;
+        case Qt::Key_Home:
+            goTo(0);
+            return true;
+        case Qt::Key_End:
+            goTo(static_cast<int>(parts_->photos.size()) - 1);
+            return true;
+        default:
+            return false;
+    }
+}
+
+bool LabellingView::takeCommandKey(int key) {
+    switch (key) {
+        case Qt::Key_N:
+            goToNextUndecided();
+            return true;
+        case Qt::Key_O:
+            toggleOutline();
+            return true;
+        case Qt::Key_C:
+            toggleContrast();
+            return true;
+        case Qt::Key_Z:
+            parts_->layout->canvas->cycleZoom();
+            return true;
+        case Qt::Key_Plus:
+        case Qt::Key_Equal:
+            parts_->layout->canvas->zoom(1.25);
+            return true;
+        case Qt::Key_Minus:
+            parts_->layout->canvas->zoom(0.8);
+            return true;
+        case Qt::Key_A:
+            parts_->layout->addAnother->toggle();
+            if (parts_->photo()) parts_->showDraft();
+            return true;
+        case Qt::Key_M:
+            parts_->layout->comment->setFocus();
+            return true;
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+            finish();
+            return true;
+        case Qt::Key_Backspace:
+        case Qt::Key_Delete:
+            return takeBack();
+        case Qt::Key_Escape:
+            return parts_->draft.isEmpty() ? false : takeBack();
+        default:
+            return false;
+    }
+}
+
+bool LabellingView::takeBack() {
+    if (parts_->saving) return true;
+    parts_->draft = dropLast(parts_->draft);
+    if (parts_->photo()) parts_->showDraft();
+    return true;
+}
+
+void LabellingView::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    parts_->labeller.empty() ? parts_->layout->prompt->takeFocus() : setFocus();
+}
+
+}  // namespace fodscope
