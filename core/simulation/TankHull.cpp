@@ -62,14 +62,13 @@ TriangleMesh endBulkhead(const TankPlan& plan, double x, bool facesForward) {
 TriangleMesh deck(const TankPlan& plan) {
     const Vector2d centre = accessHoleCentre(plan), radii = accessHoleRadii(plan);
     Outline outline = planAt(plan, plan.height);
+    outline.push_back(outline.front());
     constexpr int kSegments = 40;
     for (int i = 0; i <= kSegments; ++i) {
-        // From the side of corner (0, 0), where the outline begins and the bridge starts.
+        // From the side of corner (0, 0), where the bridge starts.
         const double angle = -0.75 * kPi - 2.0 * kPi * i / kSegments;
         outline.emplace_back(centre + Vector2d(radii.x() * std::cos(angle), radii.y() * std::sin(angle)));
     }
-    outline.push_back(outline.front());
-    // Begin at the corner the bridge leaves from: the hole follows it at once.
     TriangleMesh mesh = flatMesh(outline, kPlate);
     for (auto& triangle : mesh.triangles)
         std::swap(triangle[1], triangle[2]);
