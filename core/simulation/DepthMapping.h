@@ -23,25 +23,54 @@ struct DepthMappingSettings {
     double maximumRange_m = 2.5;
     /// Depth noise σ = this · z².
     double depthNoise_per_m = 0.002;
+    /// Depth is measured in steps of disparity: disparity = focal length · baseline / z.
+    double disparityFocal_px = 446.8;
+    double disparityBaseline_m = 0.05;
+    double disparityStep_px = 0.125;
+    /// Share of the pixels at an edge that come out somewhere between its two sides.
+    double flyingPixelShare = 0.35;
+    /// Surfaces seen at less than this angle (between ray and surface) begin to drop out.
+    double grazingAngle_rad = 0.2094;
+    /// Standard deviations of the SLAM's error, an Ornstein-Uhlenbeck process along the way.
     double driftXy_m = 0.006;
     double driftYaw_rad = 0.004;
     double driftZ_m = 0.002;
+    double driftRollPitch_rad = 0.0012;
+    /// Way over which the error forgets itself.
+    double driftLength_m = 2.5;
+    /// The map frame lies where the SLAM began: this far from the world frame, at most.
+    double frameOffset_m = 0.06;
+    double frameYaw_rad = 0.035;
+    double frameTilt_rad = 0.003;
     /// Distance between two key frames along the route.
     double keyFrameSpacing_m = 0.08;
+    /// Distance between the places at which it turns round once.
+    double lookSpacing_m = 0.7;
     /// Voxels of the map that comes out.
     double mapVoxel_m = 0.01;
+    /// Heights over the floor that the map keeps.
+    double mapMinimumHeight_m = -0.15;
+    double mapMaximumHeight_m = 0.75;
+    /// A random subset of the voxels, when there are more.
+    std::size_t mapMaximumPoints = 260000;
     std::uint64_t seed = 1;
 };
 
 /// What one mapping run brings.
 struct MappingRun {
-    /// Map frame: the world moved by `T_map_from_world`.
+    /// Map frame: the world moved by `T_map_from_world`, which the run draws for itself.
     PointCloud map;
     Transform T_map_from_world = Transform::Identity();
+    /// Camera body poses of the key frames (x forward, y left, z up), as the SLAM believes them.
     std::vector<Transform> trajectory_map;
+    /// The same as they were.
+    std::vector<Transform> trajectory_world;
+    /// Depth returns behind the map, and voxels before the subset was drawn.
+    std::size_t rawPoints = 0;
+    std::size_t voxels = 0;
     OccupancyGrid grid_map;
     Pose2 robotStart_map;
-    /// Points on each object of the world.
+    /// Points of the map that are mostly returns of each object of the world.
     std::vector<std::size_t> pointsOnObject;
     /// Mean of the points on each object; NaN where there are none.
     std::vector<Eigen::Vector3d> observedCentroid_map;

@@ -38,12 +38,8 @@ struct Sample {
 
 class Shader {
   public:
-    Shader(const Raycaster& raycaster, const Transform& T_world_from_camera, const CameraIntrinsics& intrinsics,
-           std::uint64_t seed)
-        : raycaster_(raycaster),
-          T_world_from_camera_(T_world_from_camera),
-          intrinsics_(intrinsics),
-          paintSeed_(static_cast<std::uint32_t>(seed)) {
+    Shader(const Raycaster& raycaster, const Transform& T_world_from_camera, const CameraIntrinsics& intrinsics)
+        : raycaster_(raycaster), T_world_from_camera_(T_world_from_camera), intrinsics_(intrinsics) {
         for (std::size_t i = 0; i < lamps_world_.size(); ++i)
             lamps_world_[i] = T_world_from_camera * kLamps_camera[i];
     }
@@ -60,8 +56,8 @@ class Shader {
         result.normal = hit->normal_world.cast<float>();
         result.distance_m = static_cast<float>(hit->distance_m);
         result.object = hit->object;
-        const Finish finish = hit->object < 0 ? rustyPaint(point.cast<float>(), result.normal, hit->colour, paintSeed_)
-                                              : cleanFinish(hit->colour);
+        const Finish finish =
+            hit->object < 0 ? rustyPaint(point.cast<float>(), result.normal, hit->colour) : cleanFinish(hit->colour);
         result.light = kAmbient * finish.reflectance;
         for (const Eigen::Vector3d& lamp : lamps_world_)
             result.light += lampLight(lamp, point, result.normal, direction, finish);
@@ -91,7 +87,6 @@ class Shader {
     const Raycaster& raycaster_;
     Transform T_world_from_camera_;
     CameraIntrinsics intrinsics_;
-    std::uint32_t paintSeed_;
     std::array<Eigen::Vector3d, 2> lamps_world_;
 };
 
@@ -222,7 +217,7 @@ std::vector<std::byte> renderPhoto(const World&, const Raycaster& raycaster, con
                                    const PhotoCameraSettings& settings) {
     const CameraIntrinsics intrinsics = intrinsicsOf(settings);
     requireImage(intrinsics);
-    const Shader shader(raycaster, T_world_from_camera, intrinsics, settings.seed);
+    const Shader shader(raycaster, T_world_from_camera, intrinsics);
     const std::vector<Eigen::Vector3f> light = renderLight(shader, settings.width_px, settings.height_px);
     const cv::Mat image = develop(light, settings.width_px, settings.height_px, settings.seed);
     std::vector<unsigned char> jpeg;

@@ -16,6 +16,7 @@ struct PhotoCameraSettings {
     double horizontalFieldOfView_rad = 1.2043;
     double height_m = 0.20;
     double pitchDown_rad = 0.0873;
+    /// Of the image noise; paint and rust belong to the world.
     std::uint64_t seed = 1;
 };
 

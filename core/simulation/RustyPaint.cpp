@@ -40,8 +40,8 @@ float srgbFromLinear(float value) {
     return v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1.0f / 2.4f) - 0.055f;
 }
 
-Finish rustyPaint(const Eigen::Vector3f& point_world, const Eigen::Vector3f& normal_world, Rgb paint,
-                  std::uint32_t seed) {
+Finish rustyPaint(const Eigen::Vector3f& point_world, const Eigen::Vector3f& normal_world, Rgb paint) {
+    constexpr std::uint32_t seed = 1;
     const Eigen::Vector3f base = linearFromSrgb(paint);
     const float brightness = base.maxCoeff();
     const float rusts = smoothStep(0.03f, 0.12f, brightness);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
 
 #include "core/cloud/PointCloud.h"
 
@@ -23,8 +22,7 @@ float srgbFromLinear(float value);
 
 /// Old paint on the tank's structure: stained, with rust patches and streaks that are fixed in the world. Dark paint
 /// (rubber, plastic) does not rust.
-Finish rustyPaint(const Eigen::Vector3f& point_world, const Eigen::Vector3f& normal_world, Rgb paint,
-                  std::uint32_t seed);
+Finish rustyPaint(const Eigen::Vector3f& point_world, const Eigen::Vector3f& normal_world, Rgb paint);
 
 /// An object in its own colour.
 Finish cleanFinish(Rgb colour);

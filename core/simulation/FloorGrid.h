@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/planning/OccupancyGrid.h"
+#include "core/simulation/Raycaster.h"
+#include "core/simulation/World.h"
+
+namespace fodscope {
+
+struct FloorGridSettings {
+    double resolution_m = 0.05;
+    /// Whatever is higher than this over the floor stops the robot; lower things it crosses.
+    double obstacleMinimumHeight_m = 0.13;
+    double obstacleMaximumHeight_m = 0.45;
+};
+
+/// The true occupancy of a world, by casting rays down and across: occupied where something stands between the two
+/// heights, free where there is floor under it, else unknown.
+/// @param T_frame_from_world the frame (floor near z = 0) that the grid's axes follow
+/// @throws Error when the world is too wide for such a grid, or has no surface
+OccupancyGrid floorGrid(const World& world, const Raycaster& raycaster, const Transform& T_frame_from_world,
+                        const FloorGridSettings& settings);
+
+}  // namespace fodscope
