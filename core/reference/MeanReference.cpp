@@ -37,7 +37,9 @@ std::vector<Eigen::Vector3d> mergedSamples(std::span<const AlignedNominalMap> ma
     std::vector<Eigen::Vector3d> samples;
     for (const AlignedNominalMap& aligned : maps) {
         const std::vector<Eigen::Vector3d>& points = aligned.map->points;
-        for (const std::uint32_t kept : keptByOutlierRemoval(points, settings.denoise, progress))
+        std::vector<std::uint32_t> found;
+        if (aligned.kept == nullptr) found = keptByOutlierRemoval(points, settings.denoise, progress);
+        for (const std::uint32_t kept : aligned.kept == nullptr ? found : *aligned.kept)
             samples.push_back(aligned.T_reference_from_map * points[kept]);
     }
     if (samples.empty()) {

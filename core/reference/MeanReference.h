@@ -29,6 +29,8 @@ struct MeanReferenceSettings {
 struct AlignedNominalMap {
     const PointCloud* map = nullptr;
     Transform T_reference_from_map = Transform::Identity();
+    /// What keptByOutlierRemoval() gave for this map with the same settings, where it is known; null: it is done here.
+    const std::vector<std::uint32_t>* kept = nullptr;
 };
 
 /// Mean reference from nominal maps: denoise, move, merge, voxel mean, drop voxels under the occupancy quantile,

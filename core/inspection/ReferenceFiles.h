@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "core/reference/CadReference.h"
+#include "core/reference/MeanReference.h"
+#include "core/registration/Registration.h"
+
+namespace fodscope {
+
+/// How a mean reference is to be made from files of nominal maps.
+struct NominalMapsRequest {
+    std::vector<std::filesystem::path> maps;
+    /// A mesh or a map into whose frame the nominal maps are moved; empty: that of the first of them.
+    std::optional<std::filesystem::path> alignTo;
+    /// Metres in one unit of that mesh.
+    double meshScale = 1.0;
+    /// T_reference_from_map of each map, in their order; they replace the registration. Empty: the maps are registered.
+    std::vector<Transform> given_T_reference_from_map;
+    MeanReferenceSettings mean;
+    RegistrationSettings registration;
+};
+
+/// Reads the maps, moves them into one frame and makes their mean reference. How each map lies goes into the
+/// provenance.
+/// @throws Error naming the file that cannot be used, among them a map that cannot be aligned; Cancelled
+ReferenceMap referenceFromMapFiles(const NominalMapsRequest& request, Progress& progress);
+
+/// Reads a mesh and samples it.
+/// @throws Error naming the file; Cancelled
+ReferenceMap referenceFromMeshFile(const std::filesystem::path& mesh, double scale,
+                                   const CadReferenceSettings& settings, Progress& progress);
+
+}  // namespace fodscope
