@@ -22,9 +22,9 @@ constexpr double kRange_m = 12.0;
 /// Two lamps beside and over the lens, as on the paper's robot.
 const std::array<Eigen::Vector3d, 2> kLamps_camera{Eigen::Vector3d(-0.07, -0.06, 0.0),
                                                    Eigen::Vector3d(0.07, -0.06, 0.0)};
-constexpr float kLampSpread_rad = 0.62f;
+constexpr float kLampSpread_rad = 0.56f;
 /// Light that comes back from all the walls.
-constexpr float kAmbient = 0.035f;
+constexpr float kAmbient = 0.012f;
 /// The lamps are no points: their light does not grow without bound close by.
 constexpr float kLampSize_m2 = 0.01f;
 
@@ -147,18 +147,18 @@ float exposureOf(const std::vector<Eigen::Vector3f>& light, int width, int heigh
     const auto at = metered.begin() + static_cast<std::ptrdiff_t>(metered.size() * 80 / 100);
     std::nth_element(metered.begin(), at, metered.end());
     // In the dark nothing but the lamps shines: the gain has an end.
-    return std::min(0.42f / std::max(*at, 1e-6f), 60.0f);
+    return std::min(0.34f / std::max(*at, 1e-6f), 60.0f);
 }
 
 /// Rises like light at first and bends towards white, so that highlights keep some colour.
 float toneCurve(float value) {
-    constexpr float kWhite = 3.0f;
+    constexpr float kWhite = 2.5f;
     return value * (1.0f + value / (kWhite * kWhite)) / (1.0f + value);
 }
 
 cv::Mat develop(const std::vector<Eigen::Vector3f>& light, int width, int height, std::uint64_t seed) {
     const float exposure = exposureOf(light, width, height);
-    const float scale = 1.25f / toneCurve(3.0f);
+    const float scale = 1.15f / toneCurve(2.5f);
     cv::Mat image(height, width, CV_8UC3);
     tbb::parallel_for(tbb::blocked_range<int>(0, height, 8), [&](const tbb::blocked_range<int>& rows) {
         for (int row = rows.begin(); row < rows.end(); ++row) {

@@ -46,23 +46,25 @@ Finish rustyPaint(const Eigen::Vector3f& point_world, const Eigen::Vector3f& nor
     const float brightness = base.maxCoeff();
     const float rusts = smoothStep(0.03f, 0.12f, brightness);
     const float patches = fractalNoise(1.7f * point_world, 3, seed);
-    const float blotches = fractalNoise(9.0f * point_world, 4, seed + 100u);
-    const float grain = fractalNoise(95.0f * point_world, 2, seed + 200u);
+    const float blotches = fractalNoise(8.0f * point_world, 5, seed + 100u);
+    const float grain = fractalNoise(110.0f * point_world, 3, seed + 200u);
     // Water runs down walls and takes rust along.
     const float upright = 1.0f - std::abs(normal_world.z());
-    const Eigen::Vector3f drawnOut(16.0f * point_world.x(), 16.0f * point_world.y(), 1.3f * point_world.z());
-    const float streaks = upright > 0.3f ? upright * fractalNoise(drawnOut, 2, seed + 300u) : 0.0f;
-    const float wear = 0.60f * patches + 0.55f * blotches + 0.12f * grain + 0.30f * std::max(0.0f, streaks) - 0.10f;
-    const float stain = rusts * smoothStep(-0.35f, 0.15f, wear);
-    const float rust = rusts * smoothStep(0.10f, 0.20f, wear);
+    const Eigen::Vector3f drawnOut(18.0f * point_world.x(), 18.0f * point_world.y(), 1.2f * point_world.z());
+    const float streaks = upright > 0.3f ? upright * fractalNoise(drawnOut, 3, seed + 300u) : 0.0f;
+    const float wear = 0.65f * patches + 0.60f * blotches + 0.16f * grain + 0.40f * std::max(0.0f, streaks) - 0.06f;
+    const float stain = rusts * smoothStep(-0.45f, 0.12f, wear);
+    const float rust = rusts * smoothStep(0.10f, 0.17f, wear);
+    // Deep in a patch the rust is older and darker than at its rim.
+    const float age = smoothStep(0.15f, 0.55f, wear);
 
-    const Eigen::Vector3f oldPaint = base * (0.82f + 0.10f * blotches + 0.06f * grain);
-    const Eigen::Vector3f stained = oldPaint.cwiseProduct(Eigen::Vector3f(0.78f, 0.62f, 0.44f));
-    const Eigen::Vector3f darkRust(0.045f, 0.018f, 0.009f), brightRust(0.20f, 0.075f, 0.022f);
-    const float hue = std::clamp(0.42f + 0.45f * grain + 0.35f * blotches, 0.0f, 1.0f);
+    const Eigen::Vector3f oldPaint = base * (0.66f + 0.13f * blotches + 0.06f * grain + 0.07f * patches);
+    const Eigen::Vector3f stained = oldPaint.cwiseProduct(Eigen::Vector3f(0.74f, 0.56f, 0.38f));
+    const Eigen::Vector3f darkRust(0.032f, 0.014f, 0.008f), brightRust(0.17f, 0.060f, 0.019f);
+    const float hue = std::clamp(0.60f - 0.55f * age + 0.50f * grain + 0.25f * blotches, 0.0f, 1.0f);
     Finish finish;
     finish.reflectance =
-        mix(mix(oldPaint, stained, 0.75f * stain), mix(darkRust, brightRust, hue), 0.93f * rust).cwiseMax(0.004f);
+        mix(mix(oldPaint, stained, 0.85f * stain), mix(darkRust, brightRust, hue), 0.94f * rust).cwiseMax(0.004f);
     finish.shine = 0.05f * (1.0f - rust) + 0.006f;
     finish.gloss = 24.0f;
     return finish;
