@@ -10,6 +10,7 @@ DepthMappingSettings quickMapping() {
     settings.columns = 112;
     settings.rows = 63;
     settings.keyFrameSpacing_m = 0.12;
+    settings.lookSpacing_m = 0.9;
     settings.mapMaximumPoints = 150000;
     return settings;
 }
