@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QRgb>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "ui/theme/Theme.h"
+#include "ui/view3d/View3D.h"
+
+namespace fodscope {
+
+/// How a point with a value is drawn.
+enum class ValueGroup : std::uint8_t { Unknown, Below, Above };
+
+/// NaN is Unknown. Without a threshold everything known is Above.
+ValueGroup valueGroup(double value, const ScalarStyle& style);
+
+/// The colour of a value: viridis over the absolute range; below the threshold dimmed towards the background; NaN in
+/// the theme's grey, which viridis does not contain.
+QRgb scalarColour(double value, const ScalarStyle& style, const Theme& theme);
+std::vector<QRgb> scalarColours(std::span<const double> values, const ScalarStyle& style, const Theme& theme);
+
+/// Indices of the points of a group.
+std::vector<std::int64_t> indicesOf(std::span<const double> values, const ScalarStyle& style, ValueGroup group);
+
+}  // namespace fodscope
