@@ -380,6 +380,9 @@ void View3D::Impl::showHover() {
 }
 
 View3D::View3D(QWidget* parent) : QWidget(parent), impl_(std::make_unique<Impl>(this)) {
+    qRegisterMetaType<ViewLayer>();
+    qRegisterMetaType<PickedPoint>();
+    qRegisterMetaType<std::optional<PickedPoint>>();
     QWidget* canvas = impl_->surface.widget();
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -635,6 +638,11 @@ void View3D::setToolBarVisible(bool visible) {
 }
 
 QImage View3D::grabImage() {
+    // A picture is of where the flight leads, not of a moment of it.
+    if (impl_->flight.state() == QAbstractAnimation::Running) {
+        impl_->flight.stop();
+        impl_->camera = impl_->flightEnd;
+    }
     impl_->scene.setCoarse(false);
     impl_->render();
     return grab().toImage();

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <QColor>
 #include <QImage>
+#include <QMetaType>
 #include <QString>
 #include <QStringList>
 #include <QWidget>
@@ -182,3 +183,7 @@ class View3D : public QWidget {
 };
 
 }  // namespace fodscope
+
+Q_DECLARE_METATYPE(fodscope::ViewLayer)
+Q_DECLARE_METATYPE(fodscope::PickedPoint)
+Q_DECLARE_METATYPE(std::optional<fodscope::PickedPoint>)
