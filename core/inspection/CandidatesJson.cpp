@@ -4,6 +4,7 @@
 
 #include "core/inspection/Inspection.h"
 #include "core/inspection/JsonNumbers.h"
+#include "core/inspection/ParameterJson.h"
 
 namespace fodscope {
 namespace {
@@ -15,26 +16,6 @@ Json sourceJson(const SourceFile& source) {
     return {{"file", std::filesystem::path(source.path).filename().string()},
             {"points", source.points},
             {"sha256", source.sha256}};
-}
-
-Json settingsJson(const Parameters& parameters) {
-    const CandidateSettings& candidates = parameters.candidates;
-    const DiscrepancySettings& discrepancy = parameters.discrepancy;
-    const OutlierRemovalSettings& denoise = parameters.denoise;
-    Json cropHeight;
-    if (discrepancy.cropHeight_m) cropHeight = rounded(*discrepancy.cropHeight_m);
-    return {{"metric", candidates.metric == Metric::Mahalanobis ? "mahalanobis" : "euclidean"},
-            {"threshold", rounded(candidates.threshold)},
-            {"cluster_cutoff_m", rounded(candidates.clusterCutoff_m)},
-            {"minimum_points", candidates.minimumPoints},
-            {"centroid", candidates.centroid == CentroidKind::Plain ? "plain" : "discrepancy-weighted"},
-            {"voxel_m", rounded(discrepancy.voxelSize_m)},
-            {"smoothing_neighbours", discrepancy.smoothingNeighbours},
-            {"crop_to_reference", discrepancy.cropToReference},
-            {"crop_height_m", cropHeight},
-            {"denoise", denoise.enabled},
-            {"denoise_neighbours", denoise.neighbours},
-            {"denoise_standard_deviations", rounded(denoise.standardDeviations)}};
 }
 
 Json registrationJson(const RegistrationResult& registration) {
@@ -70,7 +51,7 @@ std::string candidatesJson(const SourceFile& reference, const SourceFile& map, c
         {"schema", "fodscope.candidates/1"},
         {"reference", sourceJson(reference)},
         {"map", sourceJson(map)},
-        {"settings", settingsJson(detection.parameters)},
+        {"settings", jsonParameters(detection.parameters, {"denoise", "registration", "discrepancy", "candidates"})},
         {"T_reference_from_map", jsonTransform(detection.registration.T_reference_from_map)},
         {"registration", registrationJson(detection.registration)},
         {"points_above_threshold", detection.candidates ? detection.candidates->pointsAboveThreshold : 0},

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "core/inspection/Parameters.h"
+
+namespace fodscope {
+
+/// Parameters by section and key, named as in a parameter file; what is not set is null.
+/// @param sections only these; empty: all
+nlohmann::ordered_json jsonParameters(const Parameters& parameters, const std::vector<std::string>& sections = {});
+
+}  // namespace fodscope
