@@ -72,7 +72,7 @@ class TravelField {
     /// reaches nothing.
     TravelField(const CostMap& costMap, const Eigen::Vector2d& start_map);
 
-    /// The path is straightened where a straight line is no dearer than the cells' steps.
+    /// The path is straightened where a straight line is no dearer than the way over the cells' centres.
     /// @return empty when the cell of `goal_map` is not reached
     std::optional<DrivePath> pathTo(const Eigen::Vector2d& goal_map) const;
 
@@ -83,8 +83,7 @@ class TravelField {
     bool isPassable(CellIndex index) const;
     void spreadFrom(CellIndex start);
     double effortAlong(const Eigen::Vector2d& from_map, const Eigen::Vector2d& to_map) const;
-    std::vector<Eigen::Vector2d> straightened(const std::vector<std::size_t>& cells,
-                                              const std::vector<Eigen::Vector2d>& points_map) const;
+    std::vector<Eigen::Vector2d> straightened(const std::vector<Eigen::Vector2d>& points_map) const;
 
     const CostMap* costMap_;
     Eigen::Vector2d start_map_;

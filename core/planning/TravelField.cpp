@@ -105,17 +105,18 @@ double TravelField::effortAlong(const Eigen::Vector2d& from_map, const Eigen::Ve
     return effort;
 }
 
-/// Leaves out the points between two that see each other at no more effort. `cells` are those under `points_map`.
-std::vector<Eigen::Vector2d> TravelField::straightened(const std::vector<std::size_t>& cells,
-                                                       const std::vector<Eigen::Vector2d>& points_map) const {
+/// Leaves out the points between two that see each other at no more effort than over the points between.
+std::vector<Eigen::Vector2d> TravelField::straightened(const std::vector<Eigen::Vector2d>& points_map) const {
     constexpr double kSlack = 1.001;
     std::vector<Eigen::Vector2d> kept{points_map.front()};
     std::size_t here = 0;
     while (here + 1 < points_map.size()) {
         std::size_t next = here + 1;
+        double stepped = effortAlong(points_map[here], points_map[next]);
         while (next + 1 < points_map.size()) {
-            const double stepped = static_cast<double>(effort_[cells[next + 1]]) - effort_[cells[here]];
-            if (effortAlong(points_map[here], points_map[next + 1]) > kSlack * stepped) break;
+            stepped += effortAlong(points_map[next], points_map[next + 1]);
+            const double straight = effortAlong(points_map[here], points_map[next + 1]);
+            if (!std::isfinite(straight) || straight > kSlack * stepped) break;
             ++next;
         }
         kept.push_back(points_map[next]);
@@ -143,15 +144,13 @@ std::optional<DrivePath> TravelField::pathTo(const Eigen::Vector2d& goal_map) co
         points_map.front() = start_map_;
     } else {
         points_map.insert(points_map.begin(), start_map_);
-        cells.insert(cells.begin(), cells.front());
     }
     if (points_map.size() > 1) {
         points_map.back() = goal_map;
     } else {
         points_map.push_back(goal_map);
-        cells.push_back(cells.back());
     }
-    DrivePath path{straightened(cells, points_map), 0.0};
+    DrivePath path{straightened(points_map), 0.0};
     for (std::size_t i = 1; i < path.points_map.size(); ++i) {
         path.length_m += (path.points_map[i] - path.points_map[i - 1]).norm();
     }

@@ -17,11 +17,17 @@ struct SimulatedRobotSettings {
     double acknowledgeDelay_s = 0.2;
     double photoDelay_s = 0.4;
     PhotoCameraSettings camera;
+    /// Photos are rendered in a thread of their own. With a clock faster than real time a photo would be late for no
+    /// fault of the robot: then poll() waits for the one that is due.
+    bool waitForRendering = false;
 };
 
 /// A robot that behaves: it confirms goals, drives the cost map's paths at a robot's speed and takes photos of the
 /// world. Map and grid are answered when they were given to it.
+/// It starts where the world says, and takes photos while it stands. Connect it first.
 /// @param grid_map the robot's own grid in the map frame
+/// @param map what requestMap() answers; may be empty
+/// @throws Error for a grid without cells or one that does not cover the robot's start, and settings out of range
 std::unique_ptr<RobotLink> makeSimulatedRobot(std::shared_ptr<const World> world, OccupancyGrid grid_map,
                                               std::shared_ptr<const PointCloud> map, const CostMapSettings& costMap,
                                               const SimulatedRobotSettings& settings);

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+#include "core/simulation/SimulatedRobot.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <future>
+#include <mutex>
+#include <utility>
+
+#include "core/common/Error.h"
+#include "core/simulation/DriveMotion.h"
+#include "core/simulation/Raycaster.h"
+
+namespace fodscope {
+namespace {
+
+void requireInRange(const SimulatedRobotSettings& settings) {
+    const auto isSpeed = [](double value) { return value > 0.0 && std::isfinite(value); };
+    const auto isDelay = [](double value) { return value >= 0.0 && std::isfinite(value); };
+    if (!isSpeed(settings.speed_m_per_s) || !isSpeed(settings.turnSpeed_rad_per_s) ||
+        !isDelay(settings.acknowledgeDelay_s) || !isDelay(settings.photoDelay_s)) {
+        throw Error("simulated robot", "a setting is out of range", "give speeds over 0 and delays of 0 s or more");
+    }
+}
+
+/// The world as the camera sees it. Building the ray caster takes a moment, so the first photo does it, off the
+/// caller's thread.
+class Studio {
+  public:
+    explicit Studio(std::shared_ptr<const World> world) : world_(std::move(world)) {}
+
+    std::vector<std::byte> photograph(const Transform& T_map_from_camera, const PhotoCameraSettings& camera) {
+        std::call_once(built_, [this] { raycaster_ = std::make_unique<Raycaster>(*world_); });
+        return renderPhoto(*world_, *raycaster_, world_->T_map_from_world.inverse() * T_map_from_camera, camera);
+    }
+
+  private:
+    std::shared_ptr<const World> world_;
+    std::once_flag built_;
+    std::unique_ptr<Raycaster> raycaster_;
+};
+
+class SimulatedRobot : public RobotLink {
+  public:
+    SimulatedRobot(std::shared_ptr<const World> world, OccupancyGrid grid_map, std::shared_ptr<const PointCloud> map,
+                   const CostMapSettings& costMap, const SimulatedRobotSettings& settings)
+        : world_(std::move(world)),
+          map_(std::move(map)),
+          costMap_(inflate(grid_map, costMap)),
+          settings_(settings),
+          studio_(std::make_shared<Studio>(world_)),
+          pose_map_(poseFromTransform(world_->T_map_from_world * transformFromPose(world_->robotStart_world))) {
+        requireInRange(settings_);
+        floodFill(costMap_, pose_map_);
+    }
+
+    std::string name() const override { return "simulated robot"; }
+    void connect() override { connected_ = true; }
+    void disconnect() override;
+    void requestMap() override;
+    void requestGrid() override;
+    void sendGoal(const RobotGoal& goal) override;
+    void cancelAllGoals() override;
+    void requestPhoto(const std::string& requestId) override;
+    std::vector<RobotEvent> poll(double now_s) override;
+
+  private:
+    struct Drive {
+        RobotGoal goal;
+        /// Empty until the first poll after it, when nothing was polled before.
+        std::optional<double> sent_s;
+        double accepted_s = 0.0;
+        std::optional<DriveMotion> motion;
+    };
+    struct Exposure {
+        std::string requestId;
+        std::optional<double> requested_s;
+        double due_s = 0.0;
+        Photo photo;
+        std::future<std::vector<std::byte>> bytes;
+    };
+
+    bool isMoving() const { return drive_ && drive_->motion; }
+    void endDrive(GoalFailure failure, const std::string& message);
+    void moveOn(double now_s);
+    void accept();
+    void expose(Exposure& exposure, double now_s);
+    void develop(double now_s);
+    bool isDeveloped(const Exposure& exposure, double now_s) const;
+    RobotState state() const;
+
+    std::shared_ptr<const World> world_;
+    std::shared_ptr<const PointCloud> map_;
+    CostMap costMap_;
+    SimulatedRobotSettings settings_;
+    std::shared_ptr<Studio> studio_;
+    bool connected_ = false;
+    std::optional<double> now_s_;
+    Pose2 pose_map_;
+    double stillSince_s_ = 0.0;
+    std::optional<Drive> drive_;
+    std::vector<Exposure> exposures_;
+    std::uint64_t photosTaken_ = 0;
+    std::vector<RobotEvent> events_;
+};
+
+void SimulatedRobot::disconnect() {
+    if (!connected_) return;
+    drive_.reset();
+    exposures_.clear();
+    connected_ = false;
+    events_.emplace_back(RobotStateChanged{state()});
+}
+
+void SimulatedRobot::requestMap() {
+    if (map_) {
+        events_.emplace_back(MapReceived{map_});
+    } else {
+        events_.emplace_back(LinkMessage{"the simulated robot has no map"});
+    }
+}
+
+void SimulatedRobot::requestGrid() {
+    events_.emplace_back(GridReceived{costMap_.grid});
+}
+
+void SimulatedRobot::sendGoal(const RobotGoal& goal) {
+    if (!connected_) {
+        events_.emplace_back(GoalFailed{goal.id, GoalFailure::LinkLost, "the robot is not connected"});
+        return;
+    }
+    const Pose2& pose = goal.pose_map;
+    if (!std::isfinite(pose.x_m) || !std::isfinite(pose.y_m) || !std::isfinite(pose.yaw_rad)) {
+        events_.emplace_back(GoalFailed{goal.id, GoalFailure::Rejected, "the goal's pose is no number"});
+        return;
+    }
+    endDrive(GoalFailure::Preempted, "a newer goal came");
+    drive_ = Drive{goal, now_s_, 0.0, std::nullopt};
+}
+
+void SimulatedRobot::cancelAllGoals() {
+    endDrive(GoalFailure::StopRequested, "");
+}
+
+void SimulatedRobot::requestPhoto(const std::string& requestId) {
+    if (!connected_) {
+        events_.emplace_back(PhotoFailed{requestId, PhotoFailure::LinkLost, "the robot is not connected"});
+        return;
+    }
+    Exposure exposure;
+    exposure.requestId = requestId;
+    exposure.requested_s = now_s_;
+    if (now_s_ && !isMoving()) expose(exposure, *now_s_);
+    exposures_.push_back(std::move(exposure));
+}
+
+std::vector<RobotEvent> SimulatedRobot::poll(double now_s) {
+    if (now_s_ && !(now_s >= *now_s_)) now_s = *now_s_;
+    if (connected_) moveOn(now_s);
+    now_s_ = now_s;
+    if (connected_) {
+        develop(now_s);
+        events_.emplace_back(RobotStateChanged{state()});
+    }
+    return std::exchange(events_, {});
+}
+
+/// The robot stops where it was at the last poll.
+void SimulatedRobot::endDrive(GoalFailure failure, const std::string& message) {
+    if (!drive_) return;
+    events_.emplace_back(GoalFailed{drive_->goal.id, failure, message});
+    drive_.reset();
+    stillSince_s_ = now_s_.value_or(stillSince_s_);
+}
+
+void SimulatedRobot::moveOn(double now_s) {
+    if (!drive_) return;
+    if (!drive_->sent_s) drive_->sent_s = now_s;
+    if (!drive_->motion) {
+        if (now_s < *drive_->sent_s + settings_.acknowledgeDelay_s) return;
+        accept();
+        if (!drive_) return;
+    }
+    const double driven_s = now_s - drive_->accepted_s;
+    pose_map_ = drive_->motion->poseAt(driven_s);
+    if (driven_s < drive_->motion->duration_s()) return;
+    stillSince_s_ = drive_->accepted_s + drive_->motion->duration_s();
+    events_.emplace_back(GoalArrived{drive_->goal.id, pose_map_});
+    drive_.reset();
+}
+
+void SimulatedRobot::accept() {
+    drive_->accepted_s = *drive_->sent_s + settings_.acknowledgeDelay_s;
+    events_.emplace_back(GoalAccepted{drive_->goal.id});
+    const Pose2& goal_map = drive_->goal.pose_map;
+    const TravelField field(costMap_, {pose_map_.x_m, pose_map_.y_m});
+    const auto path = field.pathTo({goal_map.x_m, goal_map.y_m});
+    if (path) {
+        drive_->motion.emplace(pose_map_, *path, goal_map, settings_.speed_m_per_s, settings_.turnSpeed_rad_per_s);
+    } else {
+        endDrive(GoalFailure::Aborted, "no path leads to the goal");
+    }
+}
+
+/// Takes the photo where the robot stands; it is rendered meanwhile, and handed over when it is due.
+void SimulatedRobot::expose(Exposure& exposure, double now_s) {
+    if (!exposure.requested_s) exposure.requested_s = now_s;
+    exposure.due_s = std::max(*exposure.requested_s, stillSince_s_) + settings_.photoDelay_s;
+    PhotoCameraSettings camera = settings_.camera;
+    camera.seed += photosTaken_++;
+    Photo& photo = exposure.photo;
+    photo.taken = UtcTime::now();
+    photo.T_map_from_camera = cameraPose(pose_map_, camera);
+    photo.intrinsics = intrinsicsOf(camera);
+    photo.mediaType = "image/jpeg";
+    exposure.bytes = std::async(std::launch::async, [studio = studio_, T = photo.T_map_from_camera, camera] {
+        return studio->photograph(T, camera);
+    });
+}
+
+void SimulatedRobot::develop(double now_s) {
+    for (Exposure& exposure : exposures_) {
+        if (!exposure.bytes.valid() && !isMoving()) expose(exposure, now_s);
+    }
+    const auto done = std::stable_partition(exposures_.begin(), exposures_.end(),
+                                            [&](const Exposure& exposure) { return !isDeveloped(exposure, now_s); });
+    for (auto exposure = done; exposure != exposures_.end(); ++exposure) {
+        try {
+            exposure->photo.bytes = exposure->bytes.get();
+            events_.emplace_back(PhotoReceived{exposure->requestId, std::move(exposure->photo)});
+        } catch (const std::exception& problem) {
+            events_.emplace_back(PhotoFailed{exposure->requestId, PhotoFailure::Missing, problem.what()});
+        }
+    }
+    exposures_.erase(done, exposures_.end());
+}
+
+bool SimulatedRobot::isDeveloped(const Exposure& exposure, double now_s) const {
+    if (!exposure.bytes.valid() || now_s < exposure.due_s) return false;
+    if (settings_.waitForRendering) exposure.bytes.wait();
+    return exposure.bytes.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+RobotState SimulatedRobot::state() const {
+    RobotState state;
+    state.link = connected_ ? LinkState::Connected : LinkState::Disconnected;
+    state.pose_map = pose_map_;
+    state.poseMeasured_s = now_s_.value_or(0.0);
+    state.moving = isMoving();
+    if (!isMoving()) return state;
+    state.goalId = drive_->goal.id;
+    state.distanceLeft_m = drive_->motion->distanceLeftAt(state.poseMeasured_s - drive_->accepted_s);
+    return state;
+}
+
+}  // namespace
+
+std::unique_ptr<RobotLink> makeSimulatedRobot(std::shared_ptr<const World> world, OccupancyGrid grid_map,
+                                              std::shared_ptr<const PointCloud> map, const CostMapSettings& costMap,
+                                              const SimulatedRobotSettings& settings) {
+    if (!world) throw Error("simulated robot", "it has no world to drive in", "give a world");
+    return std::make_unique<SimulatedRobot>(std::move(world), std::move(grid_map), std::move(map), costMap, settings);
+}
+
+}  // namespace fodscope
