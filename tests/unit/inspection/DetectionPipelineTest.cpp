@@ -19,7 +19,7 @@ using ::testing::IsEmpty;
 
 PointCloud nominalMap(std::uint64_t seed) {
     PointCloud map;
-    map.points = test::sample(test::roomPanels(), 1500.0, 0.003, seed);
+    map.points = test::sample(test::roomPanels(), 900.0, 0.003, seed);
     return map;
 }
 

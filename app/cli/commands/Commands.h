@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "app/cli/Context.h"
+
+namespace fodscope::cli {
+
+/// Each adds one command to the program; when the user names it, `run` becomes it.
+void addReferenceCommand(CLI::App& program, Run& run);
+void addDetectCommand(CLI::App& program, Run& run);
+void addParamsCommand(CLI::App& program, Run& run);
+
+}  // namespace fodscope::cli
