@@ -21,6 +21,12 @@ struct Surface {
     std::vector<Rgb> colours;
 };
 
+/// Embree ends the program over rays with NaN or astronomic numbers.
+bool isUsable(const Eigen::Vector3f& v) {
+    constexpr float kFarthest = 1e12f;
+    return v.cwiseAbs().maxCoeff() < kFarthest && !v.hasNaN();
+}
+
 Rgb mix(const Rgb& a, const Rgb& b, const Rgb& c, float u, float v) {
     const auto channel = [&](std::uint8_t x, std::uint8_t y, std::uint8_t z) {
         const float value =
@@ -94,6 +100,7 @@ std::optional<RayHit> Raycaster::cast(const Eigen::Vector3d& origin_world, const
     if (!(length > 0.0) || !std::isfinite(length)) return std::nullopt;
     const Eigen::Vector3f origin = origin_world.cast<float>();
     const Eigen::Vector3f direction = (direction_world / length).cast<float>();
+    if (!isUsable(origin) || !isUsable(direction) || !(range_m > 0.0)) return std::nullopt;
     RTCRayHit ray{};
     ray.ray.org_x = origin.x();
     ray.ray.org_y = origin.y();
@@ -131,6 +138,7 @@ std::optional<RayHit> Raycaster::cast(const Eigen::Vector3d& origin_world, const
 bool Raycaster::blocked(const Eigen::Vector3d& origin_world, const Eigen::Vector3d& target_world) const {
     const Eigen::Vector3f origin = origin_world.cast<float>();
     const Eigen::Vector3f way = (target_world - origin_world).cast<float>();
+    if (!isUsable(origin) || !isUsable(way)) return false;
     RTCRay ray{};
     ray.org_x = origin.x();
     ray.org_y = origin.y();
