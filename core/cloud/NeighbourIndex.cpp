@@ -151,18 +151,29 @@ OrderedPoints inMortonOrder(std::span<const Eigen::Vector3d> points) {
     return ordered;
 }
 
-/// Calls `use(begin, end)` for parts of 0..count in parallel. Only the calling thread reports.
+/// Calls `use(indices)` for lists of queries that lie near each other, in parallel, until every query had its turn.
+/// Only the calling thread reports.
 template <class Use>
-void inParallel(std::size_t count, Progress& progress, const std::string& stage, const Use& use) {
-    constexpr std::size_t block = 1 << 14;
+void forEachGroup(std::span<const Eigen::Vector3d> queries, Progress& progress, const std::string& stage,
+                  const Use& use) {
+    // Large enough to keep neighbours together, small enough to sort between two looks at the progress.
+    constexpr std::size_t sorted = 1 << 18;
+    constexpr std::size_t reported = 1 << 14;
     constexpr std::size_t grain = 256;
-    for (std::size_t first = 0; first < count; first += block) {
-        if (!stage.empty()) progress.report(stage, static_cast<double>(first) / static_cast<double>(count));
-        const tbb::blocked_range<std::size_t> range(first, std::min(count, first + block), grain);
-        tbb::parallel_for(range, [&](const tbb::blocked_range<std::size_t>& part) {
-            progress.throwIfCancelled();
-            use(part.begin(), part.end());
-        });
+    for (std::size_t first = 0; first < queries.size(); first += sorted) {
+        std::vector<std::uint32_t> order =
+            mortonOrder(queries.subspan(first, std::min(sorted, queries.size() - first)));
+        for (std::uint32_t& index : order)
+            index += static_cast<std::uint32_t>(first);
+        for (std::size_t done = 0; done < order.size(); done += reported) {
+            if (!stage.empty())
+                progress.report(stage, static_cast<double>(first + done) / static_cast<double>(queries.size()));
+            const tbb::blocked_range<std::size_t> range(done, std::min(order.size(), done + reported), grain);
+            tbb::parallel_for(range, [&](const tbb::blocked_range<std::size_t>& part) {
+                progress.throwIfCancelled();
+                use(std::span<const std::uint32_t>(order).subspan(part.begin(), part.size()));
+            });
+        }
     }
     progress.throwIfCancelled();
 }
@@ -215,11 +226,10 @@ std::vector<Neighbour> NeighbourIndex::withinRadius(const Eigen::Vector3d& query
 
 std::vector<Neighbour> NeighbourIndex::nearestOfEach(std::span<const Eigen::Vector3d> queries, Progress& progress,
                                                      const std::string& stage) const {
-    const std::vector<std::uint32_t> order = mortonOrder(queries);
     std::vector<Neighbour> neighbours(queries.size());
-    inParallel(queries.size(), progress, stage, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            neighbours[order[i]] = nearest(queries[order[i]]);
+    forEachGroup(queries, progress, stage, [&](std::span<const std::uint32_t> group) {
+        for (const std::uint32_t i : group)
+            neighbours[i] = nearest(queries[i]);
     });
     return neighbours;
 }
@@ -228,15 +238,15 @@ void NeighbourIndex::forEachKNearest(std::span<const Eigen::Vector3d> queries, s
                                      const std::function<void(std::size_t, std::span<const Neighbour>)>& use,
                                      Progress& progress, const std::string& stage) const {
     if (k == 0) return;
-    const std::vector<std::uint32_t> order = mortonOrder(queries);
-    inParallel(queries.size(), progress, stage, [&](std::size_t begin, std::size_t end) {
+    const std::size_t count = std::min(k, size());
+    forEachGroup(queries, progress, stage, [&](std::span<const std::uint32_t> group) {
         std::vector<Neighbour> neighbours;
-        neighbours.reserve(std::min(k, size()));
-        for (std::size_t i = begin; i < end; ++i) {
-            KNearest result(tree_->ordered, std::min(k, size()), neighbours);
-            tree_->search(result, queries[order[i]]);
+        neighbours.reserve(count);
+        for (const std::uint32_t i : group) {
+            KNearest result(tree_->ordered, count, neighbours);
+            tree_->search(result, queries[i]);
             result.sort();
-            use(order[i], neighbours);
+            use(i, neighbours);
         }
     });
 }

@@ -23,7 +23,8 @@ void check(const OutlierRemovalSettings& settings) {
 }  // namespace
 
 std::vector<std::uint32_t> keptByOutlierRemoval(std::span<const Eigen::Vector3d> points,
-                                                const OutlierRemovalSettings& settings, Progress& progress) {
+                                                const OutlierRemovalSettings& settings, Progress& progress,
+                                                const std::string& stage) {
     if (settings.enabled) check(settings);
     std::vector<std::uint32_t> kept(points.size());
     std::iota(kept.begin(), kept.end(), 0u);
@@ -40,7 +41,7 @@ std::vector<std::uint32_t> keptByOutlierRemoval(std::span<const Eigen::Vector3d>
                 sum += std::sqrt(neighbour.squaredDistance_m2);
             meanDistances[i] = sum / static_cast<double>(neighbours.size());
         },
-        progress, "removing outliers");
+        progress, stage);
 
     const double count = static_cast<double>(points.size());
     const double mean = std::accumulate(meanDistances.begin(), meanDistances.end(), 0.0) / count;

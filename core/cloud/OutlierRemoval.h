@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/cloud/PointCloud.h"
@@ -21,10 +22,12 @@ struct OutlierRemovalSettings {
 };
 
 /// Statistical outlier removal. Standard deviation with n − 1. Source: Open3D `remove_statistical_outlier`.
+/// @param stage what the progress is reported as
 /// @return the indices of the points kept, ascending
 /// @throws Error for settings that are not positive
 std::vector<std::uint32_t> keptByOutlierRemoval(std::span<const Eigen::Vector3d> points,
-                                                const OutlierRemovalSettings& settings, Progress& progress);
+                                                const OutlierRemovalSettings& settings, Progress& progress,
+                                                const std::string& stage = "removing outliers");
 
 /// @return the points (and colours) at the indices
 PointCloud select(const PointCloud& cloud, std::span<const std::uint32_t> indices);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/cloud/VoxelGrid.h"
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -46,7 +48,7 @@ std::vector<KeyedPoint> sortedByVoxel(std::span<const Eigen::Vector3d> points, c
         const auto z = static_cast<std::uint64_t>(cell.z());
         keyed[i] = {x << (2 * kBitsPerAxis) | y << kBitsPerAxis | z, static_cast<std::uint32_t>(i)};
     }
-    std::sort(keyed.begin(), keyed.end());
+    tbb::parallel_sort(keyed.begin(), keyed.end());
     return keyed;
 }
 

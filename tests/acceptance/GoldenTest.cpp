@@ -193,6 +193,11 @@ TEST_F(Golden, ReferenceAgrees) {
     EXPECT_EQ(std::count(reference().untrained.begin(), reference().untrained.end(), 1), 0);
 }
 
+TEST_F(Golden, FloorIsWhereTheModelHasIt) {
+    // The plate lies at 0; what stands on it and the sensor's noise lift its voxels by millimetres.
+    EXPECT_NEAR(floorHeight(reference()), 0.0, 0.01);
+}
+
 TEST_F(Golden, MeanCloudIsTheReferenceInSinglePrecision) {
     const PointCloud golden = readPointCloud(tank() / "golden/mean_cloud.pcd");
     ASSERT_EQ(golden.size(), reference().size());
