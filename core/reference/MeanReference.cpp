@@ -35,12 +35,14 @@ void check(std::span<const AlignedNominalMap> maps, const MeanReferenceSettings&
 std::vector<Eigen::Vector3d> mergedSamples(std::span<const AlignedNominalMap> maps,
                                            const MeanReferenceSettings& settings, Progress& progress) {
     std::vector<Eigen::Vector3d> samples;
-    for (const AlignedNominalMap& aligned : maps) {
-        const std::vector<Eigen::Vector3d>& points = aligned.map->points;
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        const std::vector<Eigen::Vector3d>& points = maps[i].map->points;
+        const std::string stage =
+            "denoising nominal map " + std::to_string(i + 1) + " of " + std::to_string(maps.size());
         std::vector<std::uint32_t> found;
-        if (aligned.kept == nullptr) found = keptByOutlierRemoval(points, settings.denoise, progress);
-        for (const std::uint32_t kept : aligned.kept == nullptr ? found : *aligned.kept)
-            samples.push_back(aligned.T_reference_from_map * points[kept]);
+        if (maps[i].kept == nullptr) found = keptByOutlierRemoval(points, settings.denoise, progress, stage);
+        for (const std::uint32_t kept : maps[i].kept == nullptr ? found : *maps[i].kept)
+            samples.push_back(maps[i].T_reference_from_map * points[kept]);
     }
     if (samples.empty()) {
         throw Error("reference", "the nominal maps hold no points after denoising", "give maps with points");
