@@ -14,6 +14,40 @@ constexpr double kHalfTurn_rad = 3.14159265358979323846;
 constexpr double kLeastDistance_m = 0.02;
 constexpr double kGreatestDistance_m = 2000.0;
 
+Eigen::Vector3d cornerOf(const Bounds& bounds, int corner) {
+    return {corner & 1 ? bounds.maximum.x() : bounds.minimum.x(), corner & 2 ? bounds.maximum.y() : bounds.minimum.y(),
+            corner & 4 ? bounds.maximum.z() : bounds.minimum.z()};
+}
+
+double fittingDistance(const OrbitCamera& camera, const Bounds& bounds, double aspect, double margin) {
+    const double halfHeight = std::tan(0.5 * camera.viewAngle_rad) * (1.0 - margin);
+    const double halfWidth = halfHeight * aspect;
+    double distance = 0.1;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Eigen::Vector3d offset = cornerOf(bounds, corner) - camera.focus;
+        const double behind = camera.parallel ? 0.0 : camera.forward().dot(offset);
+        distance = std::max(distance, std::abs(camera.right().dot(offset)) / halfWidth - behind);
+        distance = std::max(distance, std::abs(camera.up().dot(offset)) / halfHeight - behind);
+    }
+    return std::min(distance, kGreatestDistance_m);
+}
+
+/// @return how far, in the plane of the focus, the picture of the box is off the middle
+Eigen::Vector3d offCentre(const OrbitCamera& camera, const Bounds& bounds) {
+    Eigen::Vector2d least = Eigen::Vector2d::Constant(1e9);
+    Eigen::Vector2d most = Eigen::Vector2d::Constant(-1e9);
+    for (int corner = 0; corner < 8; ++corner) {
+        const Eigen::Vector3d offset = cornerOf(bounds, corner) - camera.focus;
+        const double depth = camera.distance_m + (camera.parallel ? 0.0 : camera.forward().dot(offset));
+        const double scale = camera.distance_m / std::max(1e-6, depth);
+        const Eigen::Vector2d spot(scale * camera.right().dot(offset), scale * camera.up().dot(offset));
+        least = least.cwiseMin(spot);
+        most = most.cwiseMax(spot);
+    }
+    const Eigen::Vector2d middle = 0.5 * (least + most);
+    return middle.x() * camera.right() + middle.y() * camera.up();
+}
+
 }  // namespace
 
 void Bounds::extend(const Eigen::Vector3d& point) {
@@ -77,19 +111,12 @@ OrbitCamera fitted(const OrbitCamera& camera, const Bounds& bounds, double aspec
     if (bounds.empty()) return camera;
     OrbitCamera result = camera;
     result.focus = bounds.centre();
-    const double halfHeight = std::tan(0.5 * camera.viewAngle_rad) * (1.0 - margin);
-    const double halfWidth = halfHeight * aspect;
-    double distance = 0.1;
-    for (int corner = 0; corner < 8; ++corner) {
-        const Eigen::Vector3d point(corner & 1 ? bounds.maximum.x() : bounds.minimum.x(),
-                                    corner & 2 ? bounds.maximum.y() : bounds.minimum.y(),
-                                    corner & 4 ? bounds.maximum.z() : bounds.minimum.z());
-        const Eigen::Vector3d offset = point - result.focus;
-        const double behind = camera.parallel ? 0.0 : camera.forward().dot(offset);
-        distance = std::max(distance, std::abs(camera.right().dot(offset)) / halfWidth - behind);
-        distance = std::max(distance, std::abs(camera.up().dot(offset)) / halfHeight - behind);
+    // A perspective picture of a box is not centred where the box is; a few steps of shifting and fitting settle it.
+    for (int round = 0; round < 5; ++round) {
+        result.distance_m = fittingDistance(result, bounds, aspect, margin);
+        result.focus += offCentre(result, bounds);
     }
-    result.distance_m = std::min(distance, kGreatestDistance_m);
+    result.distance_m = fittingDistance(result, bounds, aspect, margin);
     return result;
 }
 

@@ -25,8 +25,8 @@ namespace fodscope {
 namespace {
 
 /// Below this number nothing is left out while the camera moves.
-constexpr std::size_t kCoarseAbove = 500000;
-constexpr std::size_t kCoarsePoints = 200000;
+constexpr std::size_t kCoarseAbove = 300000;
+constexpr std::size_t kCoarsePoints = 120000;
 constexpr int kSpacingProbes = 24;
 
 vtkSmartPointer<vtkCellArray> vertexCell(const std::vector<std::int64_t>& indices, std::size_t stride) {

@@ -24,7 +24,7 @@ struct PointGroup {
     double opacity = 1.0;
 };
 
-/// A cloud as plain vertices: a million of them are quick even without a graphics card.
+/// A cloud as plain vertices, which even a machine without graphics card can draw by the million.
 class PointLayer {
   public:
     explicit PointLayer(vtkRenderer* renderer);

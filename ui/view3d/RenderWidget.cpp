@@ -3,12 +3,11 @@
 
 #include <QVTKInteractor.h>
 #include <QVTKOpenGLNativeWidget.h>
+#include <vtkBoundingBox.h>
 #include <vtkCamera.h>
-#include <vtkEDLShading.h>
 #include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
-#include <vtkOpenGLRenderer.h>
-#include <vtkRenderStepsPass.h>
 #include <vtkRenderer.h>
 
 #include <QPointer>
@@ -21,20 +20,23 @@ class RenderWidget::Impl {
   public:
     explicit Impl(QWidget* parent) : widget(new QVTKOpenGLNativeWidget(parent)) {
         window->SetMultiSamples(0);
+        window->SetNumberOfLayers(2);
+        renderer->SetLayer(0);
+        top->SetLayer(1);
+        top->SetActiveCamera(renderer->GetActiveCamera());
         window->AddRenderer(renderer);
+        window->AddRenderer(top);
         widget->setRenderWindow(window);
         // The view turns its own camera; VTK's styles let a tank fall on its side.
         if (widget->interactor() != nullptr) widget->interactor()->SetInteractorStyle(nullptr);
         widget->setEnableHiDPI(true);
         renderer->SetTwoSidedLighting(true);
-        shading->SetDelegatePass(steps);
     }
 
     QPointer<QVTKOpenGLNativeWidget> widget;
     vtkNew<vtkGenericOpenGLRenderWindow> window;
-    vtkNew<vtkOpenGLRenderer> renderer;
-    vtkNew<vtkRenderStepsPass> steps;
-    vtkNew<vtkEDLShading> shading;
+    vtkNew<vtkRenderer> renderer;
+    vtkNew<vtkRenderer> top;
 };
 
 RenderWidget::RenderWidget(QWidget* parent) : impl_(std::make_unique<Impl>(parent)) {}
@@ -49,13 +51,12 @@ vtkRenderer* RenderWidget::renderer() const {
     return impl_->renderer;
 }
 
-void RenderWidget::setBackground(const QColor& colour) {
-    impl_->renderer->SetBackground(colour.redF(), colour.greenF(), colour.blueF());
+vtkRenderer* RenderWidget::topRenderer() const {
+    return impl_->top;
 }
 
-void RenderWidget::setDepthShading(bool on) {
-    vtkOpenGLRenderer* renderer = impl_->renderer;
-    renderer->SetPass(on ? static_cast<vtkRenderPass*>(impl_->shading) : nullptr);
+void RenderWidget::setBackground(const QColor& colour) {
+    impl_->renderer->SetBackground(colour.redF(), colour.greenF(), colour.blueF());
 }
 
 void RenderWidget::render(const OrbitCamera& camera) {
@@ -69,7 +70,18 @@ void RenderWidget::render(const OrbitCamera& camera) {
     target->SetViewAngle(degreesFromRadians(camera.viewAngle_rad));
     target->SetParallelProjection(camera.parallel);
     target->SetParallelScale(0.5 * camera.visibleHeight_m());
-    impl_->renderer->ResetCameraClippingRange();
+    // Both renderers share the camera, so its range holds what both show.
+    vtkBoundingBox box;
+    for (vtkRenderer* renderer : {impl_->renderer.Get(), impl_->top.Get()}) {
+        double bounds[6];
+        renderer->ComputeVisiblePropBounds(bounds);
+        if (vtkMath::AreBoundsInitialized(bounds)) box.AddBounds(bounds);
+    }
+    if (box.IsValid()) {
+        double bounds[6];
+        box.GetBounds(bounds);
+        impl_->renderer->ResetCameraClippingRange(bounds);
+    }
     impl_->window->Render();
     impl_->widget->update();
 }

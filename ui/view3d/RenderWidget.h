@@ -22,9 +22,9 @@ class RenderWidget {
     /// Owned by the parent given to the constructor.
     QWidget* widget() const;
     vtkRenderer* renderer() const;
+    /// Drawn over the other, so that no wall and no cloud hides it: candidates, waypoints, robot.
+    vtkRenderer* topRenderer() const;
     void setBackground(const QColor& colour);
-    /// Shades edges of depth so that clouds get form; left out while the camera moves when it would be slow.
-    void setDepthShading(bool on);
     void render(const OrbitCamera& camera);
 
   private:

@@ -60,12 +60,17 @@ std::vector<QRgb> scalarColours(std::span<const double> values, const ScalarStyl
     return colours;
 }
 
-std::vector<std::int64_t> indicesOf(std::span<const double> values, const ScalarStyle& style, ValueGroup group) {
-    std::vector<std::int64_t> indices;
+IndexGroups indexGroups(std::span<const double> values, const ScalarStyle& style) {
+    IndexGroups groups;
+    groups.below.reserve(values.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
-        if (valueGroup(values[i], style) == group) indices.push_back(static_cast<std::int64_t>(i));
+        const ValueGroup group = valueGroup(values[i], style);
+        auto& list = group == ValueGroup::Below   ? groups.below
+                     : group == ValueGroup::Above ? groups.above
+                                                  : groups.unknown;
+        list.push_back(static_cast<std::int64_t>(i));
     }
-    return indices;
+    return groups;
 }
 
 }  // namespace fodscope

@@ -22,7 +22,12 @@ ValueGroup valueGroup(double value, const ScalarStyle& style);
 QRgb scalarColour(double value, const ScalarStyle& style, const Theme& theme);
 std::vector<QRgb> scalarColours(std::span<const double> values, const ScalarStyle& style, const Theme& theme);
 
-/// Indices of the points of a group.
-std::vector<std::int64_t> indicesOf(std::span<const double> values, const ScalarStyle& style, ValueGroup group);
+/// Indices of the points of each group, ascending.
+struct IndexGroups {
+    std::vector<std::int64_t> below;
+    std::vector<std::int64_t> above;
+    std::vector<std::int64_t> unknown;
+};
+IndexGroups indexGroups(std::span<const double> values, const ScalarStyle& style);
 
 }  // namespace fodscope

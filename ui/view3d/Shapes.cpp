@@ -144,10 +144,12 @@ Shapes robotShapes(const ViewRobot& robot, double floor_m, const Theme& theme) {
         shapes.addPolygon(arrow, theme.text);
     }
     shapes.addLine(circle(robot.pose, kRobotRadius_m, z + kLift_m, true), colour);
-    const std::array<Eigen::Vector3d, 3> heading = {onFloor(robot.pose, -0.1, 0.12, z + 2.0 * kLift_m),
-                                                    onFloor(robot.pose, 0.8 * kRobotRadius_m, 0.0, z + 2.0 * kLift_m),
-                                                    onFloor(robot.pose, -0.1, -0.12, z + 2.0 * kLift_m)};
-    shapes.addLine(heading, colour);
+    if (robot.stale) {
+        const std::array<Eigen::Vector3d, 3> heading = {onFloor(robot.pose, -0.1, 0.12, z),
+                                                        onFloor(robot.pose, 0.8 * kRobotRadius_m, 0.0, z),
+                                                        onFloor(robot.pose, -0.1, -0.12, z)};
+        shapes.addLine(heading, colour);
+    }
     return shapes;
 }
 

@@ -21,7 +21,7 @@ namespace fodscope {
 namespace {
 
 constexpr double kQuarterTurn_rad = 1.57079632679489661923;
-constexpr double kFitMargin = 0.10;
+constexpr double kFitMargin = 0.05;
 constexpr int kFlight_ms = 250;
 constexpr int kHoverPause_ms = 60;
 constexpr int kRest_ms = 180;
@@ -67,7 +67,7 @@ class View3D::Impl {
     explicit Impl(View3D* view)
         : self(view),
           surface(view),
-          scene(surface.renderer()),
+          scene(surface.renderer(), surface.topRenderer()),
           overlay(new ViewOverlay(view)),
           toolBar(new ViewToolBar(view)) {
         renderTimer.setSingleShot(true);
@@ -80,7 +80,6 @@ class View3D::Impl {
         flight.setStartValue(0.0);
         flight.setEndValue(1.0);
         flight.setEasingCurve(QEasingCurve::InOutCubic);
-        surface.setDepthShading(true);
     }
 
     double aspect() const { return surface.widget()->width() / std::max(1.0, double(surface.widget()->height())); }
@@ -189,7 +188,11 @@ void View3D::Impl::updateOverlay() {
 void View3D::Impl::contentChanged() {
     const Bounds bounds = scene.bounds();
     if (!bounds.empty()) toolBar->setHeights(bounds.minimum.z(), bounds.maximum.z());
-    if (cameraIsOurs && !bounds.empty()) camera = fittedCamera(camera);
+    if (cameraIsOurs && !bounds.empty()) {
+        const OrbitCamera base = flight.state() == QAbstractAnimation::Running ? flightEnd : camera;
+        flight.stop();
+        camera = fittedCamera(base);
+    }
     requestRender();
 }
 
@@ -398,7 +401,6 @@ View3D::View3D(QWidget* parent) : QWidget(parent), impl_(std::make_unique<Impl>(
     impl_->toolBar->adjustSize();
     impl_->surface.setBackground(currentTheme().surface0);
     setStandardView(StandardView::Isometric);
-    impl_->cameraIsOurs = true;
 
     Impl* impl = impl_.get();
     connect(&impl->renderTimer, &QTimer::timeout, this, [impl] { impl->render(); });
@@ -512,9 +514,7 @@ void View3D::clear() {
     impl_->scene.clear();
     impl_->measured.clear();
     impl_->toolBar->setPeelHeight(std::nullopt);
-    impl_->cameraIsOurs = true;
     setStandardView(StandardView::Isometric);
-    impl_->cameraIsOurs = true;
     impl_->requestRender();
 }
 
@@ -563,7 +563,7 @@ void View3D::setStandardView(StandardView view) {
             camera.elevation_rad = 0.42 * kQuarterTurn_rad;
             break;
     }
-    impl_->cameraIsOurs = false;
+    impl_->cameraIsOurs = true;
     impl_->flyTo(impl_->fittedCamera(camera));
 }
 
@@ -656,11 +656,16 @@ QSize View3D::minimumSizeHint() const {
     return {320, 240};
 }
 
+void View3D::paintEvent(QPaintEvent* event) {
+    // Whoever grabs the window gets what was asked for last.
+    if (impl_->renderTimer.isActive()) impl_->render();
+    QWidget::paintEvent(event);
+}
+
 void View3D::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     impl_->overlay->setGeometry(rect());
-    if (impl_->cameraIsOurs) impl_->camera = impl_->fittedCamera(impl_->camera);
-    impl_->requestRender();
+    impl_->contentChanged();
 }
 
 void View3D::changeEvent(QEvent* event) {

@@ -172,6 +172,7 @@ class View3D : public QWidget {
     void snapshotTaken(const QImage& image);
 
   protected:
+    void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;

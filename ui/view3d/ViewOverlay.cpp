@@ -22,6 +22,8 @@ constexpr double kLabelPadding_px = 7.0;
 constexpr double kSwatch_px = 8.0;
 constexpr double kLegendBar_px = 12.0;
 constexpr double kLegendHeight_px = 190.0;
+constexpr double kAxesEdge_px = 76.0;
+constexpr double kLongestScale_px = 160.0;
 const QChar kThinSpace(0x202F);
 
 QColor glass(const Theme& theme) {
@@ -131,8 +133,7 @@ void ViewOverlay::paintEvent(QPaintEvent*) {
         paintMessage(painter);
         return;
     }
-    paintAxes(painter);
-    paintScaleBar(painter);
+    paintCorner(painter);
     paintLabels(painter);
     if (legend_) paintLegend(painter);
     paintMeasurement(painter);
@@ -259,8 +260,8 @@ void ViewOverlay::paintLegend(QPainter& painter) const {
 
 void ViewOverlay::paintAxes(QPainter& painter) const {
     const Theme theme = currentTheme();
-    constexpr double length_px = 24.0;
-    const QPointF origin(kMargin_px + 30.0, height() - kMargin_px - 30.0);
+    constexpr double length_px = 22.0;
+    const QPointF origin(kMargin_px + 0.5 * kAxesEdge_px, height() - kMargin_px - 0.5 * kAxesEdge_px);
     struct Axis {
         QString name;
         Eigen::Vector3d direction;
@@ -286,13 +287,28 @@ void ViewOverlay::paintAxes(QPainter& painter) const {
     }
 }
 
+double ViewOverlay::scaleLength_m() const {
+    return roundLength(std::min(kLongestScale_px, width() * 0.2) * camera_.visibleHeight_m() / height());
+}
+
+void ViewOverlay::paintCorner(QPainter& painter) const {
+    const double scale_px = scaleLength_m() * height() / camera_.visibleHeight_m();
+    const QRectF area(kMargin_px, height() - kMargin_px - kAxesEdge_px, kAxesEdge_px + scale_px + 20.0, kAxesEdge_px);
+    QColor ground = currentTheme().surface0;
+    ground.setAlphaF(0.72);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ground);
+    painter.drawRoundedRect(area, metrics::kRadius_px, metrics::kRadius_px);
+    paintAxes(painter);
+    paintScaleBar(painter);
+}
+
 void ViewOverlay::paintScaleBar(QPainter& painter) const {
     const Theme theme = currentTheme();
-    const double pixelsPerMetre = height() / camera_.visibleHeight_m();
-    const double length_m = roundLength(std::min(160.0, width() * 0.2) / pixelsPerMetre);
-    const double length_px = length_m * pixelsPerMetre;
-    const double left = kMargin_px + 76.0;
-    const double y = height() - kMargin_px - 6.0;
+    const double length_m = scaleLength_m();
+    const double length_px = length_m * height() / camera_.visibleHeight_m();
+    const double left = kMargin_px + kAxesEdge_px + 6.0;
+    const double y = height() - kMargin_px - 14.0;
     painter.setPen(QPen(theme.muted, 1.5));
     painter.drawLine(QPointF(left, y), QPointF(left + length_px, y));
     painter.drawLine(QPointF(left, y - 4.0), QPointF(left, y + 1.0));

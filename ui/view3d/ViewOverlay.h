@@ -62,6 +62,8 @@ class ViewOverlay : public QWidget {
     QRectF legendArea() const;
     void paintLabels(QPainter& painter) const;
     void paintLegend(QPainter& painter) const;
+    double scaleLength_m() const;
+    void paintCorner(QPainter& painter) const;
     void paintAxes(QPainter& painter) const;
     void paintScaleBar(QPainter& painter) const;
     void paintMeasurement(QPainter& painter) const;

@@ -14,6 +14,8 @@ constexpr double kPickRadius_px = 7.0;
 constexpr double kMeshOpacity = 0.22;
 /// A candidate's point lies on a point of the discrepancy; within this it is the candidate that was meant.
 constexpr double kCandidateBias_m = 0.10;
+/// Points above the threshold are that much larger.
+constexpr double kEmphasis = 1.7;
 
 Bounds boundsOf(std::span<const Eigen::Vector3d> points) {
     Bounds box;
@@ -52,11 +54,10 @@ std::vector<QRgb> heightTint(const PointLayer& layer, const QColor& low, const Q
 }
 
 std::vector<PointGroup> groupsByValue(const PointValues& values) {
-    PointGroup below{indicesOf(values.values, values.style, ValueGroup::Below), 1.0, 1.0};
-    PointGroup above{indicesOf(values.values, values.style, ValueGroup::Above), values.style.threshold ? 1.7 : 1.0,
-                     1.0};
-    PointGroup unknown{indicesOf(values.values, values.style, ValueGroup::Unknown), 0.6, 0.45};
-    return {std::move(below), std::move(above), std::move(unknown)};
+    IndexGroups indices = indexGroups(values.values, values.style);
+    const double emphasis = values.style.threshold ? kEmphasis : 1.0;
+    return {PointGroup{std::move(indices.below), 1.0, 1.0}, PointGroup{std::move(indices.above), emphasis, 1.0},
+            PointGroup{std::move(indices.unknown), 0.6, 0.45}};
 }
 
 }  // namespace
@@ -65,19 +66,19 @@ bool PointValues::anyUnknown() const {
     return std::any_of(values.begin(), values.end(), [](double value) { return std::isnan(value); });
 }
 
-ViewScene::ViewScene(vtkRenderer* renderer)
+ViewScene::ViewScene(vtkRenderer* renderer, vtkRenderer* top)
     : theme_(currentTheme()),
       reference_(renderer),
       map_(renderer),
       discrepancy_(renderer),
-      candidatePoints_(renderer),
+      candidatePoints_(top),
       mesh_(renderer),
       grid_(renderer, 1.0),
-      waypointMarks_(renderer, 2.0),
-      routeLine_(renderer, 2.5),
-      trajectoryLine_(renderer, 1.5),
-      robotMark_(renderer, 2.5),
-      selection_(renderer, 2.0) {
+      waypointMarks_(top, 2.0),
+      routeLine_(top, 2.5),
+      trajectoryLine_(top, 1.5),
+      robotMark_(top, 2.5),
+      selection_(top, 2.0) {
     state(ViewLayer::ReferenceMesh).opacity = kMeshOpacity;
     setTheme(theme_);
 }
@@ -255,12 +256,14 @@ Bounds ViewScene::bounds() const {
 void ViewScene::setPixelsPerMetre(double pixelsPerMetre) {
     // Points grow with the zoom until they touch, so that a surface stays a surface, and never into blocks.
     const auto size = [pixelsPerMetre](const PointLayer& layer, double least, double most) {
-        return std::clamp(0.55 * layer.spacing_m() * pixelsPerMetre, least, most);
+        return std::clamp(0.7 * layer.spacing_m() * pixelsPerMetre, least, most);
     };
-    reference_.setPointSize(size(reference_, 2.0, 5.0));
-    map_.setPointSize(size(map_, 2.0, 4.0));
-    discrepancy_.setPointSize(size(discrepancy_, 2.0, 6.0));
-    candidatePoints_.setPointSize(size(candidatePoints_, 5.0, 10.0));
+    reference_.setPointSize(size(reference_, 2.0, 7.0));
+    map_.setPointSize(size(map_, 2.0, 6.0));
+    discrepancy_.setPointSize(size(discrepancy_, 2.0, 7.0));
+    // Large enough to cover the discrepancy's point in the same place.
+    const double covering = discrepancy_.empty() ? 5.0 : kEmphasis * size(discrepancy_, 2.0, 7.0) + 1.0;
+    candidatePoints_.setPointSize(std::max(covering, size(candidatePoints_, 5.0, 12.0)));
 }
 
 void ViewScene::setCoarse(bool coarse) {

@@ -34,7 +34,8 @@ struct PointValues {
 /// What the 3D view shows: the layers, their data and their state.
 class ViewScene {
   public:
-    explicit ViewScene(vtkRenderer* renderer);
+    /// @param top draws over what `renderer` draws
+    ViewScene(vtkRenderer* renderer, vtkRenderer* top);
 
     void setTheme(const Theme& theme);
     void setReference(std::span<const Eigen::Vector3d> points);

@@ -49,6 +49,7 @@ TaskBar::TaskBar(QWidget* parent) : QWidget(parent) {
         setCancelling();
         emit cancelRequested();
     });
+    setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
     hide();
 }
 

@@ -63,7 +63,7 @@ ValueSlider::ValueSlider(const QString& label, const ValueRange& range, QWidget*
 void ValueSlider::setValue(double value) {
     value_ = std::clamp(value, range_.minimum, range_.maximum);
     committed_ = value_;
-    show(value_);
+    display(value_);
 }
 
 void ValueSlider::setRange(const ValueRange& range) {
@@ -86,7 +86,7 @@ void ValueSlider::setDefaultValue(double value) {
     const QString shown = QLocale().toString(default_ * range_.displayFactor, 'f', range_.decimals);
     reset_->setToolTip(tr("Back to %1 %2").arg(shown, range_.unit));
     reset_->setAccessibleName(tr("Reset %1").arg(label_->text()));
-    show(value_);
+    display(value_);
 }
 
 void ValueSlider::setHelp(const QString& help) {
@@ -117,7 +117,7 @@ void ValueSlider::change(double value) {
     const double clamped = std::clamp(value, range_.minimum, range_.maximum);
     if (clamped == value_) return;
     value_ = clamped;
-    show(value_);
+    display(value_);
     emit valueChanging(value_);
 }
 
@@ -127,7 +127,7 @@ void ValueSlider::commit() {
     emit valueCommitted(value_);
 }
 
-void ValueSlider::show(double value) {
+void ValueSlider::display(double value) {
     const QSignalBlocker sliderBlocker(slider_);
     const QSignalBlocker boxBlocker(box_);
     slider_->setValue(static_cast<int>(std::lround((value - range_.minimum) / range_.step)));

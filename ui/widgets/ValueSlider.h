@@ -51,7 +51,7 @@ class ValueSlider : public QWidget {
     void takeBox(double shown);
     void change(double value);
     void commit();
-    void show(double value);
+    void display(double value);
 
     ValueRange range_;
     double value_ = 0.0;

@@ -55,8 +55,14 @@ TEST(ScalarColours, ManyAtOnceAreWhatEachIsAlone) {
         EXPECT_NEAR(qGreen(colours[i]), qGreen(alone), 2) << i;
         EXPECT_NEAR(qBlue(colours[i]), qBlue(alone), 2) << i;
     }
-    EXPECT_EQ(indicesOf(values, style, ValueGroup::Above), (std::vector<std::int64_t>{3, 4, 5}));
-    EXPECT_EQ(indicesOf(values, style, ValueGroup::Unknown), (std::vector<std::int64_t>{6}));
+}
+
+TEST(ScalarColours, EveryPointIsInExactlyOneGroup) {
+    const std::vector<double> values = {0.0, 0.5, 1.0, 1.5, 3.999, 7.0, std::nan("")};
+    const IndexGroups groups = indexGroups(values, styleTo(4.0, 1.0));
+    EXPECT_EQ(groups.below, (std::vector<std::int64_t>{0, 1, 2}));
+    EXPECT_EQ(groups.above, (std::vector<std::int64_t>{3, 4, 5}));
+    EXPECT_EQ(groups.unknown, (std::vector<std::int64_t>{6}));
 }
 
 TEST(ScalarColours, AnEmptyRangeDividesByNothing) {
