@@ -5,8 +5,8 @@
 
 #include <cstring>
 
-#include "SampleInspection.h"
 #include "core/common/Error.h"
+#include "tests/fakes/SampleInspection.h"
 
 namespace fodscope {
 namespace {

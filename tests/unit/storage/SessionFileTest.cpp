@@ -4,8 +4,8 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 
-#include "SampleInspection.h"
 #include "core/common/Error.h"
+#include "tests/fakes/SampleInspection.h"
 
 namespace fodscope {
 namespace {

@@ -2,9 +2,9 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 
-#include "SampleInspection.h"
 #include "storage/ActChain.h"
 #include "storage/SessionFile.h"
+#include "tests/fakes/SampleInspection.h"
 
 namespace fodscope {
 namespace {

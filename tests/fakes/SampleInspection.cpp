@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "SampleInspection.h"
+#include "tests/fakes/SampleInspection.h"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
