@@ -31,6 +31,11 @@ void dropDetection(InspectionState& state) {
     dropPlan(state);
 }
 
+/// Without a fingerprint nobody can tell, so it counts as another.
+bool isAnother(const std::optional<SourceFile>& before, const SourceFile& now) {
+    return !before || now.sha256.empty() || before->sha256 != now.sha256;
+}
+
 bool hasBegun(const Visit& visit) {
     return visit.state != VisitState::Draft || visit.tries > 0 || !visit.goalId.empty();
 }
@@ -46,13 +51,13 @@ InspectionHeader newInspectionHeader() {
 }
 
 void applyReference(InspectionState& state, const SourceFile& source, std::shared_ptr<const ReferenceMap> reference) {
-    if (!state.referenceSource || state.referenceSource->sha256 != source.sha256) dropDetection(state);
+    if (isAnother(state.referenceSource, source)) dropDetection(state);
     state.referenceSource = source;
     state.reference = std::move(reference);
 }
 
 void applyMap(InspectionState& state, const SourceFile& source) {
-    if (!state.mapSource || state.mapSource->sha256 != source.sha256) dropDetection(state);
+    if (isAnother(state.mapSource, source)) dropDetection(state);
     state.mapSource = source;
 }
 
