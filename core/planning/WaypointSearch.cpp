@@ -49,9 +49,10 @@ struct Ring {
     double maximum_m;
 };
 
-Ring ringOfTry(int attempt, const WaypointSettings& settings) {
+Ring ringOfTry(int attempt, const PlanTarget& target, const WaypointSettings& settings) {
     const double inwards_m = settings.minimumDistance_m * std::pow(1.0 - settings.widening, attempt);
-    const double closest_m = std::min(settings.closestDistance_m, settings.minimumDistance_m);
+    const double halfLength_m = 0.5 * std::max({0.0, target.size_m.x(), target.size_m.y()});
+    const double closest_m = std::min(settings.closestDistance_m + halfLength_m, settings.minimumDistance_m);
     return {std::max(inwards_m, closest_m), settings.maximumDistance_m * std::pow(1.0 + settings.widening, attempt)};
 }
 
@@ -103,9 +104,13 @@ std::optional<double> costOfSight(const Eigen::Vector2d& place_map, const PlanTa
 WaypointChoice chooseWaypoint(const PlanTarget& target, const CostMap& collision, const CostMap& sight,
                               const WaypointSettings& settings) {
     if (!target.centroid_map.allFinite()) return {WaypointStatus::OutsideGrid, std::nullopt, 0.0};
+    const OccupancyGrid& grid = collision.grid;
+    const double farthest_m = std::hypot(grid.width, grid.height) * grid.resolution_m + settings.maximumDistance_m;
     Tally tally;
     for (int attempt = 0; attempt < settings.maximumTries; ++attempt) {
-        const auto best = bestOnRing(ringOfTry(attempt, settings), target, collision, sight, settings, tally);
+        const Ring ring = ringOfTry(attempt, target, settings);
+        if (ring.maximum_m > farthest_m) break;
+        const auto best = bestOnRing(ring, target, collision, sight, settings, tally);
         if (best) return *best;
     }
     return {reasonFrom(tally), std::nullopt, 0.0};

@@ -13,17 +13,18 @@ namespace {
 
 void requireInRange(const WaypointSettings& settings) {
     const bool ring = settings.minimumDistance_m > 0.0 && settings.minimumDistance_m <= settings.maximumDistance_m &&
-                      settings.maximumDistance_m <= 20.0 && settings.closestDistance_m >= 0.0;
+                      settings.maximumDistance_m <= 100.0 && settings.closestDistance_m >= 0.0;
     const bool widening = settings.widening >= 0.0 && settings.widening < 1.0 && settings.maximumTries >= 1 &&
-                          settings.maximumTries <= 20;
+                          settings.maximumTries <= 1000;
     const bool steps = settings.angleStep_rad >= 1e-3 && settings.distanceStep_m >= 1e-3 &&
                        settings.rayStep_cells >= 1e-3 && std::isfinite(settings.rayStep_cells) &&
                        std::isfinite(settings.angleStep_rad) && std::isfinite(settings.distanceStep_m);
     const bool threshold = settings.costThresholdPercent > 0.0 && settings.costThresholdPercent <= 99.0;
     if (!ring || !widening || !steps || !threshold) {
-        throw Error("waypoint settings", "a value is out of range",
-                    "give a ring within 20 m whose least distance is not over its greatest, steps of at least 0.001, a "
-                    "widening from 0 to under 1, 1 to 20 tries and a cost threshold over 0 up to 99");
+        throw Error(
+            "waypoint settings", "a value is out of range",
+            "give a ring within 100 m whose least distance is not over its greatest, steps of at least 0.001, a "
+            "widening from 0 to under 1, 1 to 1000 tries and a cost threshold over 0 up to 99");
     }
 }
 

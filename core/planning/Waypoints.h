@@ -18,7 +18,8 @@ struct WaypointSettings {
     /// The ring is widened by this share a try, inwards and outwards, until a pose is found.
     double widening = 0.1;
     int maximumTries = 10;
-    /// Widening inwards ends here: from nearer the photo camera (0.20 m up, 5° down, 42° high) cannot see the floor.
+    /// Widening inwards ends where the candidate's near end comes this close: nearer, the photo camera (0.20 m up, 5°
+    /// down, 42° high) does not see the floor.
     double closestDistance_m = 0.42;
     /// Poses on cells with at least this cost, of 100, collide (paper's robot: 85).
     double costThresholdPercent = 85.0;
