@@ -131,6 +131,21 @@ TEST(MeanReference, DenoisesEveryMap) {
     EXPECT_LT(highest(meanReference(maps, noisy, progress)), 0.1);
 }
 
+TEST(MeanReference, TakesTheKeptPointsOfAMapThatIsDenoisedAlready) {
+    const PointCloud map = plate(75);
+    MeanReferenceSettings denoised = settings(0.0, 9);
+    denoised.denoise.enabled = true;
+    Progress progress;
+    const std::vector<std::uint32_t> kept = keptByOutlierRemoval(map.points, denoised.denoise, progress);
+    const std::vector<AlignedNominalMap> raw{{&map, Transform::Identity()}};
+    const std::vector<AlignedNominalMap> known{{&map, Transform::Identity(), &kept}};
+    const ReferenceMap expected = meanReference(raw, denoised, progress);
+    EXPECT_EQ(meanReference(known, denoised, progress).points, expected.points);
+    EXPECT_EQ(std::accumulate(expected.occupancy.begin(), expected.occupancy.end(), 0),
+              static_cast<std::int32_t>(kept.size()));
+    EXPECT_LT(kept.size(), map.size());
+}
+
 TEST(MeanReference, MarksWhatTheSamplesDoNotSupportAsUntrained) {
     ReferenceMap reference;
     reference.points = {{0.0, 0.0, 0.0}, {0.1, 0.0, 0.0}, {5.0, 0.0, 0.0}, {5.1, 0.0, 0.0}, {9.0, 0.0, 0.0}};
