@@ -87,6 +87,12 @@ TriangleMesh pipesOnFlatSide(TankPlan& plan) {
         append(mesh, flange(narrow + (share + 0.05) * along, 0.044, kWater));
     }
     append(mesh, valve(wide + 0.42 * along));
+    // Collars where the pipes pass through the end bulkheads.
+    for (const double x : {0.006, plan.length - 0.006}) {
+        const Vector3d half(0.006, 0.0, 0.0), at(x, 0.0, 0.0);
+        append(mesh, cylinderMesh(wide + at - half, wide + at + half, 0.085, kPipe, 28));
+        append(mesh, cylinderMesh(narrow + at - half, narrow + at + half, 0.05, kWater, 24));
+    }
     int number = 0;
     for (const double share : {0.15, 0.37, 0.60, 0.84}) {
         // The yard left one bracket out.
