@@ -19,9 +19,9 @@ namespace fodscope {
 
 namespace {
 
-constexpr int kTileWidth_px = 112;
-constexpr int kPictureHeight_px = 63;
-constexpr int kTileHeight_px = 84;
+constexpr int kTileWidth_px = 128;
+constexpr int kPictureHeight_px = 72;
+constexpr int kTileHeight_px = 94;
 constexpr int kGap_px = 8;
 
 }  // namespace

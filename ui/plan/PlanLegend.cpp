@@ -123,6 +123,11 @@ void addWaypointEntries(const PlanScene& scene, const Theme& theme, std::vector<
                                painter.restore();
                            }});
     };
+    if (scene.start_map && !scene.waypoints.empty()) {
+        entries.push_back({QObject::tr("start"), [theme](QPainter& painter, const QRectF& box) {
+                               paintStartSign(painter, box.center(), theme);
+                           }});
+    }
     std::set<VisitState> shown;
     for (const PlanWaypoint& waypoint : scene.waypoints) {
         const bool underWay = statusOf(waypoint.state) == StatusKind::Running;

@@ -15,6 +15,12 @@ namespace fodscope {
 
 namespace {
 
+/// Pixels of a layer per unit of the painter: as fine as the screen, or as a printer shows.
+double layerScale(const QPainter& painter) {
+    const double scale = std::abs(painter.transform().m11()) * painter.device()->devicePixelRatioF();
+    return std::clamp(scale, 1.0, 3.0);
+}
+
 /// Hatching is painted as an image: clipping to ten thousand cells would take seconds on paper.
 QImage hatchLayer(const QRectF& area, const QImage& mask, const QTransform& cellsToScreen, const QColor& colour,
                   bool falling, double scale) {
@@ -55,23 +61,33 @@ void paintGrid(QPainter& painter, const QRectF& area, const CostMap& map, const 
     painter.setTransform(cellsToScreen, true);
     painter.drawImage(0, 0, images.cells);
     painter.restore();
-    const double scale = std::max(1.0, painter.device()->devicePixelRatioF());
+    const double scale = layerScale(painter);
     const QColor faint = hatchColour(theme, false);
     painter.drawImage(area, hatchLayer(area, images.unknown, cellsToScreen, faint, false, scale));
     const QColor strong = hatchColour(theme, true);
     painter.drawImage(area, hatchLayer(area, images.unreachable, cellsToScreen, strong, true, scale));
 }
 
-void paintPoints(QPainter& painter, const PlanScene& scene, const PlanTransform& transform, const Theme& theme) {
+/// As an image: thousands of squares would make a page of the report slow to open.
+void paintPoints(QPainter& painter, const QRectF& area, const PlanScene& scene, const PlanTransform& transform,
+                 const Theme& theme) {
+    if (scene.pointsFromAbove_map.empty()) return;
+    const double scale = layerScale(painter);
+    QImage layer((area.size() * scale).toSize(), QImage::Format_ARGB32_Premultiplied);
+    if (layer.isNull()) return;
+    layer.fill(Qt::transparent);
+    QPainter dots(&layer);
+    dots.scale(scale, scale);
+    dots.translate(-area.topLeft());
     QColor colour = theme.muted;
     colour.setAlpha(110);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(colour);
     const double edge = std::max(1.0, 0.015 * transform.pixelsPerMetre);
     for (const Eigen::Vector2d& point : scene.pointsFromAbove_map) {
         const QPointF place = transform.toScreen(point);
-        painter.drawRect(QRectF(place.x() - 0.5 * edge, place.y() - 0.5 * edge, edge, edge));
+        dots.fillRect(QRectF(place.x() - 0.5 * edge, place.y() - 0.5 * edge, edge, edge), colour);
     }
+    dots.end();
+    painter.drawImage(area, layer);
 }
 
 void paintRoute(QPainter& painter, const PlanScene& scene, const PlanTransform& transform, const Theme& theme) {
@@ -89,9 +105,7 @@ void paintRoute(QPainter& painter, const PlanScene& scene, const PlanTransform& 
     }
     if (scene.start_map && !scene.waypoints.empty()) {
         const QPointF start = transform.toScreen({scene.start_map->x_m, scene.start_map->y_m});
-        painter.setPen(QPen(theme.muted, 1.5));
-        painter.setBrush(theme.surface0);
-        painter.drawRect(QRectF(start - QPointF(4, 4), QSizeF(8, 8)));
+        paintStartSign(painter, start, theme);
     }
 }
 
@@ -145,7 +159,8 @@ void paintWaypoints(QPainter& painter, const PlanScene& scene, const PlanTransfo
     }
 }
 
-void paintRobot(QPainter& painter, const PlanTransform& transform, const PlanRobot& robot, const Theme& theme) {
+void paintRobot(QPainter& painter, const QRectF& area, const PlanTransform& transform, const PlanRobot& robot,
+                const std::vector<QRectF>& taken, const Theme& theme) {
     constexpr double kRobotRadius_m = 0.17;
     const double radius = std::max(9.0, kRobotRadius_m * transform.pixelsPerMetre);
     const QPointF place = transform.toScreen({robot.pose_map.x_m, robot.pose_map.y_m});
@@ -154,8 +169,8 @@ void paintRobot(QPainter& painter, const PlanTransform& transform, const PlanRob
     if (!stale) return;
     const QString text = QObject::tr("robot: pose %1 s old").arg(robot.poseAge_s, 0, 'f', 0);
     const QFontMetricsF metrics(painter.font());
-    const QRectF plate(place + QPointF(-0.5 * metrics.horizontalAdvance(text) - 4.0, radius + 4.0),
-                       QSizeF(metrics.horizontalAdvance(text) + 8.0, metrics.height() + 2.0));
+    const QSizeF size(metrics.horizontalAdvance(text) + 8.0, metrics.height() + 2.0);
+    const QRectF plate = placeLabel(place, radius, size, taken, area);
     paintPlate(painter, plate, text, theme.attention, theme);
 }
 
@@ -188,7 +203,7 @@ void paintPlan(QPainter& painter, const QRectF& area, const PlanScene& scene, co
     font.setPixelSize(std::max(1, static_cast<int>(std::lround(look.fontPixels))));
     painter.setFont(font);
     if (scene.costMap) paintGrid(painter, area, *scene.costMap, images, transform, look.theme);
-    paintPoints(painter, scene, transform, look.theme);
+    paintPoints(painter, area, scene, transform, look.theme);
     std::vector<QRectF> taken;
     if (look.showVisits) {
         paintCones(painter, scene, transform, look);
@@ -200,7 +215,7 @@ void paintPlan(QPainter& painter, const QRectF& area, const PlanScene& scene, co
     }
     paintCandidates(painter, area, scene, transform, look, taken);
     if (look.showVisits) paintWaypoints(painter, scene, transform, look);
-    if (look.robot) paintRobot(painter, transform, *look.robot, look.theme);
+    if (look.robot) paintRobot(painter, area, transform, *look.robot, taken, look.theme);
     paintScaleBar(painter, area, transform, look.theme);
     painter.restore();
 }

@@ -152,4 +152,10 @@ void paintRobotSign(QPainter& painter, const QPointF& place, double radius_px, d
         towards(place, yaw_rad + M_PI, 0.3 * radius_px), towards(place, yaw_rad - 2.5, 0.75 * radius_px)}));
 }
 
+void paintStartSign(QPainter& painter, const QPointF& centre, const Theme& theme) {
+    painter.setPen(QPen(theme.muted, 1.5));
+    painter.setBrush(theme.surface0);
+    painter.drawRect(QRectF(centre - QPointF(4, 4), QSizeF(8, 8)));
+}
+
 }  // namespace fodscope

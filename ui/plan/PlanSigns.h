@@ -48,6 +48,9 @@ void paintViewCone(QPainter& painter, const QPointF& apex, double range_px, doub
 void paintRobotSign(QPainter& painter, const QPointF& place, double radius_px, double yaw_rad, bool stale,
                     const Theme& theme);
 
+/// Where the robot set out.
+void paintStartSign(QPainter& painter, const QPointF& centre, const Theme& theme);
+
 /// @return colour and word of a visit's state
 StatusKind statusOf(VisitState state);
 
