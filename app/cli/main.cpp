@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <new>
+#include <sstream>
 
 #include "app/cli/ConsoleProgress.h"
 #include "app/cli/Interrupt.h"
@@ -17,6 +18,10 @@ void addCommands(CLI::App& program, fodscope::cli::Run& run) {
     using namespace fodscope::cli;
     addReferenceCommand(program, run);
     addDetectCommand(program, run);
+    addPlanCommand(program, run);
+    addSimulateCommand(program, run);
+    addInspectCommand(program, run);
+    addVerifyCommand(program, run);
     addParamsCommand(program, run);
 }
 

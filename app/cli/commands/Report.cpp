@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <ostream>
+
+#include "app/cli/commands/Commands.h"
+#include "core/common/Hash.h"
+#include "core/inspection/Inspection.h"
+#include "storage/SessionFile.h"
+#include "ui/report/ReportWriter.h"
+
+namespace fodscope::cli {
+namespace {
+
+struct Options {
+    std::string session;
+    std::string issuedBy;
+    std::string out;
+};
+
+void execute(const Options& options, Context& context) {
+    const std::unique_ptr<SessionFile> session = SessionFile::open(options.session);
+    context.progress.report("reading the session", 0.0);
+    Inspection inspection(session->load(), *session);
+    context.progress.report("writing the report", 0.0);
+    // The head before this act: that the report was issued stands in the chain after what it reports.
+    const std::string head = session->headHash();
+    writeReport(inspection.state(), head, options.out);
+    ReportRecord record;
+    record.issued = UtcTime::now();
+    record.issuedBy = options.issuedBy;
+    record.fileName = std::filesystem::path(options.out).filename().string();
+    record.sha256 = sha256OfFile(options.out);
+    inspection.reportIssued(record);
+    context.out << options.out << ": issued, head " << head << "\n";
+}
+
+}  // namespace
+
+void addReportCommand(CLI::App& program, Run& run) {
+    const auto options = std::make_shared<Options>();
+    CLI::App* command = program.add_subcommand("report", "issue the report of a session");
+    command->add_option("session", options->session, "session file")->required()->type_name("SESSION");
+    command->add_option("--issued-by", options->issuedBy, "who issues it, for the record");
+    command->add_option("--out", options->out, "the extension chooses the form")
+        ->required()
+        ->type_name("FILE.pdf|.html|.csv|.json");
+    command->callback([options, &run] { run = [options](Context& context) { execute(*options, context); }; });
+}
+
+}  // namespace fodscope::cli
