@@ -165,7 +165,7 @@ MappingRun mapWorld(const World& world, const DepthMappingSettings& settings, Pr
     for (const Transform& pose : withDrift(run.trajectory_world, settings))
         run.trajectory_map.push_back(run.T_map_from_world * pose);
     run.robotStart_map = poseFromTransform(run.T_map_from_world * transformFromPose(world.robotStart_world));
-    run.grid_map = floorGrid(world, raycaster, run.T_map_from_world, {});
+    run.grid_map = explored(floorGrid(world, raycaster, run.T_map_from_world, {}), run.robotStart_map);
 
     const MapVoxels voxels = mergeFrames(raycaster, run, settings, run.rawPoints, progress);
     fillMap(run, keptVoxels(voxels, settings, run.voxels), world.objects.size());

@@ -68,6 +68,7 @@ struct MappingRun {
     /// Depth returns behind the map, and voxels before the subset was drawn.
     std::size_t rawPoints = 0;
     std::size_t voxels = 0;
+    /// True occupancy of what the robot could explore; unknown elsewhere.
     OccupancyGrid grid_map;
     Pose2 robotStart_map;
     /// Points of the map that are mostly returns of each object of the world.

@@ -122,4 +122,52 @@ OccupancyGrid floorGrid(const World& world, const Raycaster& raycaster, const Tr
     return grid;
 }
 
+std::vector<std::uint8_t> connectedFloor(const OccupancyGrid& grid, const Pose2& start) {
+    constexpr double kTolerance_m = 0.3;
+    std::vector<std::uint8_t> connected(grid.cells.size(), 0);
+    const Eigen::Vector2d at(start.x_m, start.y_m);
+    double nearest_m = kTolerance_m;
+    std::vector<CellIndex> open;
+    for (int row = 0; row < grid.height; ++row) {
+        for (int column = 0; column < grid.width; ++column) {
+            const double distance_m = (grid.centreOf({column, row}) - at).norm();
+            if (grid.at({column, row}) != Cell::Free || !(distance_m < nearest_m)) continue;
+            nearest_m = distance_m;
+            open.assign(1, {column, row});
+        }
+    }
+    if (!open.empty()) connected[grid.offset(open.front())] = 1;
+    while (!open.empty()) {
+        const CellIndex here = open.back();
+        open.pop_back();
+        for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+            const CellIndex next{here.column + dx, here.row + dy};
+            if (!grid.contains(next) || grid.at(next) != Cell::Free || connected[grid.offset(next)]) continue;
+            connected[grid.offset(next)] = 1;
+            open.push_back(next);
+        }
+    }
+    return connected;
+}
+
+OccupancyGrid explored(OccupancyGrid grid, const Pose2& start) {
+    const std::vector<std::uint8_t> floor = connectedFloor(grid, start);
+    const auto bordersOnFloor = [&](int column, int row) {
+        for (int dy = -1; dy <= 1; ++dy)
+            for (int dx = -1; dx <= 1; ++dx) {
+                const CellIndex next{column + dx, row + dy};
+                if (grid.contains(next) && floor[grid.offset(next)]) return true;
+            }
+        return false;
+    };
+    for (int row = 0; row < grid.height; ++row)
+        for (int column = 0; column < grid.width; ++column) {
+            Cell& cell = grid.cells[grid.offset({column, row})];
+            const bool known =
+                cell == Cell::Free ? floor[grid.offset({column, row})] != 0 : bordersOnFloor(column, row);
+            if (!known) cell = Cell::Unknown;
+        }
+    return grid;
+}
+
 }  // namespace fodscope

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "core/planning/OccupancyGrid.h"
 #include "core/simulation/Raycaster.h"
 #include "core/simulation/World.h"
@@ -20,5 +23,11 @@ struct FloorGridSettings {
 /// @throws Error when the world is too wide for such a grid, or has no surface
 OccupancyGrid floorGrid(const World& world, const Raycaster& raycaster, const Transform& T_frame_from_world,
                         const FloorGridSettings& settings);
+
+/// @return 1 for the free cells that connect with the one nearest to `start` (at most 0.3 m away)
+std::vector<std::uint8_t> connectedFloor(const OccupancyGrid& grid, const Pose2& start);
+
+/// The grid as a robot that explored it from `start` knows it: what does not border on floor it can get to is unknown.
+OccupancyGrid explored(OccupancyGrid grid, const Pose2& start);
 
 }  // namespace fodscope

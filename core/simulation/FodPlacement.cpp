@@ -19,30 +19,6 @@ constexpr double kFlatFloor_m = 0.02;
 constexpr double kTallestFod_m = 0.25;
 constexpr double kResolution_m = 0.02;
 
-/// The places inside the tank: floor that connects with the robot's start past everything a person steps over.
-std::vector<std::uint8_t> interior(const OccupancyGrid& passage, const Pose2& start) {
-    std::vector<std::uint8_t> inside(passage.cells.size(), 0);
-    std::vector<CellIndex> open;
-    const auto visit = [&](CellIndex index) {
-        if (!passage.contains(index) || passage.at(index) != Cell::Free || inside[passage.offset(index)]) return;
-        inside[passage.offset(index)] = 1;
-        open.push_back(index);
-    };
-    const CellIndex seed = passage.cellAt({start.x_m, start.y_m});
-    for (int row = -10; row <= 10; ++row)
-        for (int column = -10; column <= 10; ++column)
-            visit({seed.column + column, seed.row + row});
-    while (!open.empty()) {
-        const CellIndex here = open.back();
-        open.pop_back();
-        visit({here.column + 1, here.row});
-        visit({here.column - 1, here.row});
-        visit({here.column, here.row + 1});
-        visit({here.column, here.row - 1});
-    }
-    return inside;
-}
-
 /// Where FOD may lie, kept up as they are put down.
 class FloorSpace {
   public:
@@ -50,7 +26,8 @@ class FloorSpace {
         : raycaster_(raycaster),
           clear_(floorGrid(world, raycaster, Transform::Identity(), {kResolution_m, kFlatFloor_m, kTallestFod_m})) {
         const OccupancyGrid passage = floorGrid(world, raycaster, Transform::Identity(), {kResolution_m, 0.13, 0.45});
-        const std::vector<std::uint8_t> inside = interior(passage, world.robotStart_world);
+        // Inside the tank is the floor that connects with the robot's start past everything a person steps over.
+        const std::vector<std::uint8_t> inside = connectedFloor(passage, world.robotStart_world);
         for (std::size_t i = 0; i < clear_.cells.size(); ++i)
             if (!inside[i]) clear_.cells[i] = Cell::Unknown;
     }

@@ -49,6 +49,20 @@ TEST(FloorGrid, FindsFloorWallsAndThinPlates) {
     EXPECT_EQ(grid.at(grid.cellAt({-0.08, 1.0})), Cell::Unknown);
 }
 
+TEST(FloorGrid, WhatCannotBeExploredStaysUnknown) {
+    World world = test::room();
+    // A closed pillar, hollow, and floor that goes on behind the wall.
+    append(world.structure, cylinderMesh({2.0, 1.0, -0.01}, {2.0, 1.0, 1.0}, 0.3, {}));
+    append(world.structure, boxMesh({3.0, 0.0, -0.05}, {4.0, 2.0, 0.0}, {}));
+    const OccupancyGrid all = floorGrid(world, Raycaster(world), Transform::Identity(), {});
+    EXPECT_EQ(all.at(all.cellAt({3.5, 1.0})), Cell::Free);
+    const OccupancyGrid grid = explored(all, world.robotStart_world);
+    EXPECT_EQ(grid.at(grid.cellAt({0.5, 0.5})), Cell::Free);
+    EXPECT_EQ(grid.at(grid.cellAt({1.7, 1.0})), Cell::Occupied);
+    EXPECT_EQ(grid.at(grid.cellAt({2.02, 1.02})), Cell::Unknown);
+    EXPECT_EQ(grid.at(grid.cellAt({3.5, 1.0})), Cell::Unknown);
+}
+
 TEST(Route, ComesByAllReachableFloorAndReturns) {
     const World world = furnishedRoom();
     const OccupancyGrid grid = floorGrid(test::room(), Raycaster(test::room()), Transform::Identity(), {});
