@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "ui/theme/Colours.h"
+#include "ui/view3d/Peel.h"
 #include "ui/view3d/RenderWidget.h"
 #include "ui/view3d/ViewOverlay.h"
 #include "ui/view3d/ViewScene.h"
@@ -26,6 +27,7 @@ constexpr int kFlight_ms = 250;
 constexpr int kHoverPause_ms = 60;
 constexpr int kRest_ms = 180;
 constexpr int kClickReach_px = 4;
+constexpr double kMarkReach_px = 10.0;
 constexpr double kKeyTurn_px = 24.0;
 constexpr double kZoomStep = 0.85;
 
@@ -93,6 +95,8 @@ class View3D::Impl {
     void render();
     void updateOverlay();
     void contentChanged();
+    void openFromAbove(std::span<const Eigen::Vector3d> points);
+    const ViewWaypoint* waypointAt(const QPoint& position) const;
     void touch();
     void setCamera(const OrbitCamera& target);
     void flyTo(const OrbitCamera& target);
@@ -125,6 +129,8 @@ class View3D::Impl {
     QString emptyMessage;
     /// Until the operator moves the camera, new data moves it so that all is seen.
     bool cameraIsOurs = true;
+    /// Until the operator peels, new clouds are opened so that one sees into them.
+    bool peelIsOurs = true;
     bool measuring = false;
     std::vector<Eigen::Vector3d> measured;
     QPoint pressedAt;
@@ -194,6 +200,26 @@ void View3D::Impl::contentChanged() {
         camera = fittedCamera(base);
     }
     requestRender();
+}
+
+void View3D::Impl::openFromAbove(std::span<const Eigen::Vector3d> points) {
+    if (!peelIsOurs || points.empty()) return;
+    const auto height_m = openingHeight(points);
+    scene.setPeelHeight(height_m);
+    const Bounds bounds = scene.bounds();
+    if (!bounds.empty()) toolBar->setHeights(bounds.minimum.z(), bounds.maximum.z());
+    toolBar->setPeelHeight(height_m);
+    emit self->peelHeightChanged();
+}
+
+const ViewWaypoint* View3D::Impl::waypointAt(const QPoint& position) const {
+    if (!scene.isVisible(ViewLayer::Waypoints)) return nullptr;
+    const ScreenProjection screen = projection();
+    for (const ViewWaypoint& waypoint : scene.waypoints()) {
+        const auto spot = screen.project(Eigen::Vector3d(waypoint.pose.x_m, waypoint.pose.y_m, scene.floorHeight_m()));
+        if (spot && std::hypot(spot->x_px - position.x(), spot->y_px - position.y()) < kMarkReach_px) return &waypoint;
+    }
+    return nullptr;
 }
 
 void View3D::Impl::touch() {
@@ -334,6 +360,10 @@ void View3D::Impl::click(const QPoint& position) {
         }
         return;
     }
+    if (const ViewWaypoint* waypoint = measuring ? nullptr : waypointAt(position)) {
+        emit self->waypointSelected(waypoint->id);
+        return;
+    }
     const auto point = pick(position);
     if (!point) {
         if (!measuring) emit self->candidateSelected({});
@@ -376,7 +406,8 @@ void View3D::Impl::showHover() {
     }
     const ViewOverlay::Label* label = overlay->labelAt(lastAt);
     const auto point = label ? std::nullopt : pick(lastAt);
-    const bool clickable = label != nullptr || measuring || (point && !point->candidateId.isEmpty());
+    const bool clickable =
+        label != nullptr || measuring || waypointAt(lastAt) != nullptr || (point && !point->candidateId.isEmpty());
     surface.widget()->setCursor(measuring ? Qt::CrossCursor : clickable ? Qt::PointingHandCursor : Qt::ArrowCursor);
     overlay->setHint(lastAt, point ? describe(*point) : QString());
     emit self->hovered(point);
@@ -430,6 +461,7 @@ View3D::View3D(QWidget* parent) : QWidget(parent), impl_(std::make_unique<Impl>(
     connect(bar, &ViewToolBar::measureChosen, this, &View3D::setMeasuring);
     connect(bar, &ViewToolBar::pictureChosen, this, [this] { emit snapshotTaken(grabImage()); });
     connect(bar, &ViewToolBar::peelChosen, this, [this, impl](std::optional<double> height_m) {
+        impl->peelIsOurs = false;
         impl->scene.setPeelHeight(height_m);
         impl->requestRender();
         emit peelHeightChanged();
@@ -440,6 +472,7 @@ View3D::~View3D() = default;
 
 void View3D::setReference(std::span<const Eigen::Vector3d> points) {
     impl_->scene.setReference(points);
+    impl_->openFromAbove(points);
     impl_->contentChanged();
 }
 
@@ -456,6 +489,7 @@ void View3D::setReferenceMesh(std::span<const Eigen::Vector3d> vertices,
 
 void View3D::setMap(std::span<const Eigen::Vector3d> points) {
     impl_->scene.setMap(points);
+    if (!hasLayer(ViewLayer::Reference)) impl_->openFromAbove(points);
     impl_->contentChanged();
 }
 
@@ -467,6 +501,7 @@ void View3D::setMapTransform(const Transform& T_reference_from_map) {
 void View3D::setDiscrepancy(std::span<const Eigen::Vector3d> points, std::span<const double> values,
                             const ScalarStyle& style) {
     impl_->scene.setDiscrepancy(points, values, style);
+    if (!hasLayer(ViewLayer::Reference)) impl_->openFromAbove(points);
     impl_->contentChanged();
 }
 
@@ -514,6 +549,7 @@ void View3D::clear() {
     impl_->scene.clear();
     impl_->measured.clear();
     impl_->toolBar->setPeelHeight(std::nullopt);
+    impl_->peelIsOurs = true;
     setStandardView(StandardView::Isometric);
     impl_->requestRender();
 }
@@ -594,6 +630,7 @@ void View3D::flyToCandidate(const QString& id) {
 }
 
 void View3D::setPeelHeight(std::optional<double> height_m) {
+    impl_->peelIsOurs = false;
     impl_->scene.setPeelHeight(height_m);
     impl_->toolBar->setPeelHeight(height_m);
     impl_->requestRender();

@@ -135,7 +135,8 @@ class View3D : public QWidget {
     /// 250 ms, interrupted by any touch of the view.
     void flyTo(const Eigen::Vector3d& centroid, double radius_m);
     void flyToCandidate(const QString& id);
-    /// Clouds and mesh above this height are hidden; empty: nothing is.
+    /// Clouds and mesh above this height are hidden, candidates never; empty: nothing is. Until it is set here or by
+    /// the operator, a reference with a deck is opened below the deck.
     void setPeelHeight(std::optional<double> height_m);
     std::optional<double> peelHeight() const;
 

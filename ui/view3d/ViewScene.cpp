@@ -287,7 +287,8 @@ std::optional<PickedPoint> ViewScene::pick(const ScreenProjection& projection, d
                 moved.push_back(motion * point);
             points = &moved;
         }
-        const auto hit = pickNearest(*points, projection, x_px, y_px, kPickRadius_px, peel_m_);
+        const auto hit = pickNearest(*points, projection, x_px, y_px, kPickRadius_px,
+                                     layer == ViewLayer::Candidates ? std::nullopt : peel_m_);
         if (!hit) continue;
         const double depth = hit->depth_m - (layer == ViewLayer::Candidates ? kCandidateBias_m : 0.0);
         if (best && depth >= bestDepth) continue;

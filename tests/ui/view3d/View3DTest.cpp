@@ -143,6 +143,31 @@ TEST_F(View3DTest, PeelHidesWhatIsAbove) {
     EXPECT_NEAR(drawnPixels(), all, all / 50);
 }
 
+TEST_F(View3DTest, ADeckIsPeeledUntilTheOperatorSaysOtherwise) {
+    auto points = floorPoints(0.0);
+    const auto deck = floorPoints(1.5);
+    points.insert(points.end(), deck.begin(), deck.end());
+    view.setReference(points);
+    ASSERT_TRUE(view.peelHeight().has_value());
+    EXPECT_LT(*view.peelHeight(), 1.5);
+    view.setPeelHeight(std::nullopt);
+    view.setReference(points);
+    EXPECT_FALSE(view.peelHeight().has_value());
+}
+
+TEST_F(View3DTest, AWaypointIsSelectedByItsMark) {
+    view.setReference(floorPoints());
+    ViewWaypoint waypoint;
+    waypoint.id = QStringLiteral("W-02");
+    waypoint.pose = {-0.4, 0.3, 0.0};
+    view.setWaypoints({waypoint});
+    view.grabImage();
+    QSignalSpy selected(&view, &View3D::waypointSelected);
+    QTest::mouseClick(canvas(), Qt::LeftButton, {}, view.positionOnScreen(Eigen::Vector3d(-0.4, 0.3, 0.0))->toPoint());
+    ASSERT_EQ(selected.count(), 1);
+    EXPECT_EQ(selected.at(0).at(0).toString(), waypoint.id);
+}
+
 TEST_F(View3DTest, ClickSelectsTheCandidateAndDoubleClickActivatesIt) {
     view.setReference(floorPoints());
     ViewCandidate candidate;
