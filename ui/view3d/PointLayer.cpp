@@ -108,6 +108,10 @@ void PointLayer::setPoints(std::span<const Eigen::Vector3d> points) {
     actors_->colours->SetNumberOfTuples(static_cast<vtkIdType>(points_.size()));
     actors_->colours->Fill(160);
 
+    setOneGroup();
+}
+
+void PointLayer::setOneGroup() {
     PointGroup all;
     all.indices.resize(points_.size());
     std::iota(all.indices.begin(), all.indices.end(), std::int64_t{0});

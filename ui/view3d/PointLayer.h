@@ -37,6 +37,7 @@ class PointLayer {
     /// One for each point.
     void setColours(std::span<const QRgb> colours);
     void setGroups(std::vector<PointGroup> groups);
+    void setOneGroup();
     void setTransform(const Transform& transform);
 
     void setVisible(bool visible);

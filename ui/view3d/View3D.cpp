@@ -94,6 +94,7 @@ class View3D::Impl {
     }
     void render();
     void updateOverlay();
+    void updateLegend();
     void contentChanged();
     void openFromAbove(std::span<const Eigen::Vector3d> points);
     const ViewWaypoint* waypointAt(const QPoint& position) const;
@@ -171,8 +172,7 @@ void View3D::Impl::updateOverlay() {
         }
     }
     overlay->setCamera(camera);
-    const PointValues* legend = scene.legend();
-    overlay->setLegend(legend ? std::optional(ViewOverlay::Legend{legend->style, legend->anyUnknown()}) : std::nullopt);
+    updateLegend();
     overlay->setToolBarArea(toolBar->isVisible() ? QRectF(toolBar->geometry()) : QRectF());
     overlay->setLabels(std::move(labels));
     ViewOverlay::Measurement measurement;
@@ -191,7 +191,13 @@ void View3D::Impl::updateOverlay() {
                                 : QString());
 }
 
+void View3D::Impl::updateLegend() {
+    const PointValues* legend = scene.legend();
+    overlay->setLegend(legend ? std::optional(ViewOverlay::Legend{legend->style, legend->anyUnknown}) : std::nullopt);
+}
+
 void View3D::Impl::contentChanged() {
+    updateLegend();
     const Bounds bounds = scene.bounds();
     if (!bounds.empty()) toolBar->setHeights(bounds.minimum.z(), bounds.maximum.z());
     if (cameraIsOurs && !bounds.empty()) {
@@ -247,7 +253,13 @@ void View3D::Impl::flyTo(const OrbitCamera& target) {
 }
 
 OrbitCamera View3D::Impl::fittedCamera(const OrbitCamera& from) const {
-    return fitted(from, scene.bounds(), aspect(), kFitMargin);
+    const double width = surface.widget()->width();
+    const double height = std::max(1, surface.widget()->height());
+    const double covered = overlay->legendArea().width();
+    // In a narrow view the legend may cover a corner rather than squeeze the tank.
+    if (covered > 0.25 * width) return fitted(from, scene.bounds(), aspect(), kFitMargin);
+    const OrbitCamera camera = fitted(from, scene.bounds(), (width - covered) / height, kFitMargin);
+    return panned(camera, -0.5 * covered, 0.0, height);
 }
 
 void View3D::Impl::press(const QMouseEvent& event) {

@@ -51,6 +51,8 @@ class ViewOverlay : public QWidget {
     void setMessage(const QString& message);
     /// Kept free of labels.
     void setToolBarArea(const QRectF& area);
+    /// Empty without a legend.
+    QRectF legendArea() const;
     const Label* labelAt(const QPointF& position) const;
 
   protected:
@@ -59,7 +61,6 @@ class ViewOverlay : public QWidget {
 
   private:
     void place();
-    QRectF legendArea() const;
     void paintLabels(QPainter& painter) const;
     void paintLegend(QPainter& painter) const;
     double scaleLength_m() const;

@@ -53,6 +53,15 @@ std::vector<QRgb> heightTint(const PointLayer& layer, const QColor& low, const Q
     return colours;
 }
 
+/// Points without a value have none that is known.
+PointValues pointValues(std::span<const double> values, const ScalarStyle& style, std::size_t points) {
+    PointValues result{{values.begin(), values.end()}, style, false};
+    result.values.resize(points, std::nan(""));
+    result.anyUnknown =
+        std::any_of(result.values.begin(), result.values.end(), [](double value) { return std::isnan(value); });
+    return result;
+}
+
 std::vector<PointGroup> groupsByValue(const PointValues& values) {
     IndexGroups indices = indexGroups(values.values, values.style);
     const double emphasis = values.style.threshold ? kEmphasis : 1.0;
@@ -61,10 +70,6 @@ std::vector<PointGroup> groupsByValue(const PointValues& values) {
 }
 
 }  // namespace
-
-bool PointValues::anyUnknown() const {
-    return std::any_of(values.begin(), values.end(), [](double value) { return std::isnan(value); });
-}
 
 ViewScene::ViewScene(vtkRenderer* renderer, vtkRenderer* top)
     : theme_(currentTheme()),
@@ -104,8 +109,7 @@ void ViewScene::setReference(std::span<const Eigen::Vector3d> points) {
 }
 
 void ViewScene::setReferenceValues(std::span<const double> values, const ScalarStyle& style) {
-    referenceValues_ = {{values.begin(), values.end()}, style};
-    referenceValues_.values.resize(values.empty() ? 0 : reference_.points().size(), std::nan(""));
+    referenceValues_ = values.empty() ? PointValues() : pointValues(values, style, reference_.points().size());
     colourReference();
     apply(ViewLayer::Reference);
 }
@@ -132,8 +136,7 @@ void ViewScene::setMapTransform(const Transform& T_reference_from_map) {
 void ViewScene::setDiscrepancy(std::span<const Eigen::Vector3d> points, std::span<const double> values,
                                const ScalarStyle& style) {
     discrepancy_.setPoints(points);
-    discrepancyValues_ = {{values.begin(), values.end()}, style};
-    discrepancyValues_.values.resize(points.size(), std::nan(""));
+    discrepancyValues_ = pointValues(values, style, points.size());
     colourDiscrepancy();
     buildShapes();
     apply(ViewLayer::Discrepancy);
@@ -374,6 +377,7 @@ void ViewScene::apply(ViewLayer layer) {
 void ViewScene::colourReference() {
     if (reference_.empty()) return;
     if (referenceValues_.empty()) {
+        reference_.setOneGroup();
         reference_.setColours(heightTint(reference_, mixed(theme_.surface0, theme_.muted, 0.42),
                                          mixed(theme_.surface0, theme_.muted, 0.85)));
         return;

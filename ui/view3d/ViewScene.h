@@ -26,9 +26,9 @@ inline constexpr std::array kViewLayers = {ViewLayer::Reference,   ViewLayer::Re
 struct PointValues {
     std::vector<double> values;
     ScalarStyle style;
+    bool anyUnknown = false;
 
     bool empty() const { return values.empty(); }
-    bool anyUnknown() const;
 };
 
 /// What the 3D view shows: the layers, their data and their state.

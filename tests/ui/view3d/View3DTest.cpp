@@ -215,6 +215,16 @@ TEST_F(View3DTest, ClearLeavesNothing) {
     }
 }
 
+TEST_F(View3DTest, AReferenceWithoutValuesIsPlainAgain) {
+    const auto points = floorPoints();
+    view.setReference(points);
+    const int plain = drawnPixels();
+    ScalarStyle style;
+    view.setReferenceValues(std::vector<double>(points.size(), std::nan("")), style);
+    view.setReferenceValues({}, {});
+    EXPECT_NEAR(drawnPixels(), plain, plain / 50);
+}
+
 TEST_F(View3DTest, ValuesThatDoNotMatchThePointsAreNotKnown) {
     const auto points = floorPoints();
     ScalarStyle style;
