@@ -4,9 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/theme/Colours.h"
-#include "ui/view3d/ScalarColours.h"
-
 namespace fodscope {
 namespace {
 
@@ -14,15 +11,6 @@ constexpr double kPickRadius_px = 7.0;
 constexpr double kMeshOpacity = 0.22;
 /// A candidate's point lies on a point of the discrepancy; within this it is the candidate that was meant.
 constexpr double kCandidateBias_m = 0.10;
-/// Points above the threshold are that much larger.
-constexpr double kEmphasis = 1.7;
-
-Bounds boundsOf(std::span<const Eigen::Vector3d> points) {
-    Bounds box;
-    for (const auto& point : points)
-        box.extend(point);
-    return box;
-}
 
 Bounds transformed(const Bounds& bounds, const Transform& transform) {
     Bounds box;
@@ -36,23 +24,6 @@ Bounds transformed(const Bounds& bounds, const Transform& transform) {
     return box;
 }
 
-/// A plain cloud gets lighter with height: enough to read its form without claiming a value.
-std::vector<QRgb> heightTint(const PointLayer& layer, const QColor& low, const QColor& high) {
-    const double bottom = layer.bounds().minimum.z();
-    const double span = std::max(1e-6, layer.bounds().maximum.z() - bottom);
-    std::array<QRgb, 64> table;
-    for (std::size_t i = 0; i < table.size(); ++i) {
-        table[i] = mixed(low, high, static_cast<double>(i) / (table.size() - 1)).rgb();
-    }
-    std::vector<QRgb> colours;
-    colours.reserve(layer.points().size());
-    for (const Eigen::Vector3f& point : layer.points()) {
-        const double share = std::clamp((point.z() - bottom) / span, 0.0, 1.0);
-        colours.push_back(table[static_cast<std::size_t>(share * (table.size() - 1))]);
-    }
-    return colours;
-}
-
 /// Points without a value have none that is known.
 PointValues pointValues(std::span<const double> values, const ScalarStyle& style, std::size_t points) {
     PointValues result{{values.begin(), values.end()}, style, false};
@@ -60,13 +31,6 @@ PointValues pointValues(std::span<const double> values, const ScalarStyle& style
     result.anyUnknown =
         std::any_of(result.values.begin(), result.values.end(), [](double value) { return std::isnan(value); });
     return result;
-}
-
-std::vector<PointGroup> groupsByValue(const PointValues& values) {
-    IndexGroups indices = indexGroups(values.values, values.style);
-    const double emphasis = values.style.threshold ? kEmphasis : 1.0;
-    return {PointGroup{std::move(indices.below), 1.0, 1.0}, PointGroup{std::move(indices.above), emphasis, 1.0},
-            PointGroup{std::move(indices.unknown), 0.6, 0.45}};
 }
 
 }  // namespace
@@ -265,7 +229,7 @@ void ViewScene::setPixelsPerMetre(double pixelsPerMetre) {
     map_.setPointSize(size(map_, 2.0, 6.0));
     discrepancy_.setPointSize(size(discrepancy_, 2.0, 7.0));
     // Large enough to cover the discrepancy's point in the same place.
-    const double covering = discrepancy_.empty() ? 5.0 : kEmphasis * size(discrepancy_, 2.0, 7.0) + 1.0;
+    const double covering = discrepancy_.empty() ? 5.0 : kAboveEmphasis * size(discrepancy_, 2.0, 7.0) + 1.0;
     candidatePoints_.setPointSize(std::max(covering, size(candidatePoints_, 5.0, 12.0)));
 }
 
@@ -372,76 +336,6 @@ void ViewScene::apply(ViewLayer layer) {
         mesh_.setOpacity(wanted.opacity);
     }
     if (layer == ViewLayer::Candidates) selection_.setVisible(wanted.visible);
-}
-
-void ViewScene::colourReference() {
-    if (reference_.empty()) return;
-    if (referenceValues_.empty()) {
-        reference_.setOneGroup();
-        reference_.setColours(heightTint(reference_, mixed(theme_.surface0, theme_.muted, 0.42),
-                                         mixed(theme_.surface0, theme_.muted, 0.85)));
-        return;
-    }
-    reference_.setColours(scalarColours(referenceValues_.values, referenceValues_.style, theme_));
-    reference_.setGroups(groupsByValue(referenceValues_));
-}
-
-void ViewScene::colourMap() {
-    if (map_.empty()) return;
-    map_.setColours(heightTint(map_, mixed(theme_.muted, theme_.text, 0.1), mixed(theme_.muted, theme_.text, 0.8)));
-}
-
-void ViewScene::colourDiscrepancy() {
-    if (discrepancy_.empty()) return;
-    discrepancy_.setColours(scalarColours(discrepancyValues_.values, discrepancyValues_.style, theme_));
-    discrepancy_.setGroups(groupsByValue(discrepancyValues_));
-}
-
-void ViewScene::buildCandidates() {
-    std::vector<Eigen::Vector3d> points;
-    std::vector<QRgb> colours;
-    PointGroup shown;
-    PointGroup faint{{}, 0.7, 0.35};
-    candidateOfPoint_.clear();
-    for (std::size_t index = 0; index < candidates_.size(); ++index) {
-        ViewCandidate& candidate = candidates_[index];
-        if (!candidate.colour.isValid()) candidate.colour = candidateColour(candidate.id);
-        PointGroup& group = candidate.faint ? faint : shown;
-        for (const Eigen::Vector3d& point : candidate.points) {
-            group.indices.push_back(static_cast<std::int64_t>(points.size()));
-            points.push_back(point);
-            colours.push_back(candidate.colour.rgb());
-            candidateOfPoint_.push_back(static_cast<std::uint32_t>(index));
-        }
-    }
-    candidatePoints_.setPoints(points);
-    candidatePoints_.setColours(colours);
-    candidatePoints_.setGroups({std::move(shown), std::move(faint)});
-    markSelection();
-}
-
-void ViewScene::markSelection() {
-    Shapes brackets;
-    for (const ViewCandidate& candidate : candidates_) {
-        if (!candidate.selected) continue;
-        Bounds box = boundsOf(candidate.points);
-        if (box.empty()) box.extend(candidate.centroid);
-        brackets = bracketShapes(box, theme_.accent);
-    }
-    selection_.setShapes(brackets);
-    selection_.setVisible(isVisible(ViewLayer::Candidates));
-}
-
-void ViewScene::buildShapes() {
-    grid_.setShapes(gridShapes(bounds(), floor_m_, theme_));
-    waypointMarks_.setShapes(waypointShapes(waypoints_, floor_m_, theme_));
-    routeLine_.setShapes(lineShapes(route_, theme_.text));
-    trajectoryLine_.setShapes(lineShapes(trajectory_, theme_.muted));
-    robotMark_.setShapes(robot_ ? robotShapes(*robot_, floor_m_, theme_) : Shapes());
-    for (const ViewLayer layer :
-         {ViewLayer::Grid, ViewLayer::Waypoints, ViewLayer::Route, ViewLayer::Trajectory, ViewLayer::Robot}) {
-        apply(layer);
-    }
 }
 
 }  // namespace fodscope

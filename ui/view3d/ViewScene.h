@@ -22,6 +22,9 @@ inline constexpr std::array kViewLayers = {ViewLayer::Reference,   ViewLayer::Re
                                            ViewLayer::Route,       ViewLayer::Trajectory,    ViewLayer::Robot,
                                            ViewLayer::Grid};
 
+/// Points above the threshold are that much larger.
+inline constexpr double kAboveEmphasis = 1.7;
+
 /// Values at the points of a cloud and how they are shown.
 struct PointValues {
     std::vector<double> values;

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "ui/theme/Colours.h"
+#include "ui/view3d/ScalarColours.h"
+#include "ui/view3d/ViewScene.h"
+
+// What the data of the scene looks like: colours, groups, marks.
+
+namespace fodscope {
+namespace {
+
+Bounds boundsOf(std::span<const Eigen::Vector3d> points) {
+    Bounds box;
+    for (const auto& point : points)
+        box.extend(point);
+    return box;
+}
+
+/// A plain cloud gets lighter with height: enough to read its form without claiming a value.
+std::vector<QRgb> heightTint(const PointLayer& layer, const QColor& low, const QColor& high) {
+    const double bottom = layer.bounds().minimum.z();
+    const double span = std::max(1e-6, layer.bounds().maximum.z() - bottom);
+    std::array<QRgb, 64> table;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        table[i] = mixed(low, high, static_cast<double>(i) / (table.size() - 1)).rgb();
+    }
+    std::vector<QRgb> colours;
+    colours.reserve(layer.points().size());
+    for (const Eigen::Vector3f& point : layer.points()) {
+        const double share = std::clamp((point.z() - bottom) / span, 0.0, 1.0);
+        colours.push_back(table[static_cast<std::size_t>(share * (table.size() - 1))]);
+    }
+    return colours;
+}
+
+std::vector<PointGroup> groupsByValue(const PointValues& values) {
+    IndexGroups indices = indexGroups(values.values, values.style);
+    const double emphasis = values.style.threshold ? kAboveEmphasis : 1.0;
+    return {PointGroup{std::move(indices.below), 1.0, 1.0}, PointGroup{std::move(indices.above), emphasis, 1.0},
+            PointGroup{std::move(indices.unknown), 0.6, 0.45}};
+}
+
+}  // namespace
+
+void ViewScene::colourReference() {
+    if (reference_.empty()) return;
+    if (referenceValues_.empty()) {
+        reference_.setOneGroup();
+        reference_.setColours(heightTint(reference_, mixed(theme_.surface0, theme_.muted, 0.42),
+                                         mixed(theme_.surface0, theme_.muted, 0.85)));
+        return;
+    }
+    reference_.setColours(scalarColours(referenceValues_.values, referenceValues_.style, theme_));
+    reference_.setGroups(groupsByValue(referenceValues_));
+}
+
+void ViewScene::colourMap() {
+    if (map_.empty()) return;
+    map_.setColours(heightTint(map_, mixed(theme_.muted, theme_.text, 0.1), mixed(theme_.muted, theme_.text, 0.8)));
+}
+
+void ViewScene::colourDiscrepancy() {
+    if (discrepancy_.empty()) return;
+    discrepancy_.setColours(scalarColours(discrepancyValues_.values, discrepancyValues_.style, theme_));
+    discrepancy_.setGroups(groupsByValue(discrepancyValues_));
+}
+
+void ViewScene::buildCandidates() {
+    std::vector<Eigen::Vector3d> points;
+    std::vector<QRgb> colours;
+    PointGroup shown;
+    PointGroup faint{{}, 0.7, 0.35};
+    candidateOfPoint_.clear();
+    for (std::size_t index = 0; index < candidates_.size(); ++index) {
+        ViewCandidate& candidate = candidates_[index];
+        if (!candidate.colour.isValid()) candidate.colour = candidateColour(candidate.id);
+        PointGroup& group = candidate.faint ? faint : shown;
+        for (const Eigen::Vector3d& point : candidate.points) {
+            group.indices.push_back(static_cast<std::int64_t>(points.size()));
+            points.push_back(point);
+            colours.push_back(candidate.colour.rgb());
+            candidateOfPoint_.push_back(static_cast<std::uint32_t>(index));
+        }
+    }
+    candidatePoints_.setPoints(points);
+    candidatePoints_.setColours(colours);
+    candidatePoints_.setGroups({std::move(shown), std::move(faint)});
+    markSelection();
+}
+
+void ViewScene::markSelection() {
+    Shapes brackets;
+    for (const ViewCandidate& candidate : candidates_) {
+        if (!candidate.selected) continue;
+        Bounds box = boundsOf(candidate.points);
+        if (box.empty()) box.extend(candidate.centroid);
+        brackets = bracketShapes(box, theme_.accent);
+    }
+    selection_.setShapes(brackets);
+    selection_.setVisible(isVisible(ViewLayer::Candidates));
+}
+
+void ViewScene::buildShapes() {
+    grid_.setShapes(gridShapes(bounds(), floor_m_, theme_));
+    waypointMarks_.setShapes(waypointShapes(waypoints_, floor_m_, theme_));
+    routeLine_.setShapes(lineShapes(route_, theme_.text));
+    trajectoryLine_.setShapes(lineShapes(trajectory_, theme_.muted));
+    robotMark_.setShapes(robot_ ? robotShapes(*robot_, floor_m_, theme_) : Shapes());
+    for (const ViewLayer layer :
+         {ViewLayer::Grid, ViewLayer::Waypoints, ViewLayer::Route, ViewLayer::Trajectory, ViewLayer::Robot}) {
+        apply(layer);
+    }
+}
+
+}  // namespace fodscope
