@@ -10,6 +10,7 @@
 #include "core/inspection/Inspection.h"
 #include "core/inspection/ReportModel.h"
 #include "ui/session/CandidatePreview.h"
+#include "ui/session/MapLoading.h"
 #include "ui/session/ReferenceSources.h"
 #include "ui/session/Steps.h"
 #include "ui/session/TaskRunner.h"
@@ -19,13 +20,8 @@
 namespace fodscope {
 
 class SessionFile;
-
-/// The map of the open inspection, while its file is at hand (a reopened session has its voxels, not its points).
-struct LoadedMap {
-    std::shared_ptr<const PointCloud> cloud;
-    /// Median distance of a point to its nearest neighbour.
-    double spacing_m = 0.0;
-};
+struct BuiltinInspection;
+struct World;
 
 /// The one wrapper of an inspection for Qt: panels read its state, send it commands and learn of changes by signals.
 /// Long work runs off the GUI thread and its results are taken over on it. No function throws: what goes wrong becomes
@@ -42,7 +38,10 @@ class InspectionController : public QObject {
     /// Of the open inspection; an empty one when none is open.
     const InspectionState& state() const;
     QString sessionPath() const;
-    void createSession(const QString& file, const InspectionHeader& header);
+    /// Head of the session's chain of acts.
+    QString headHash() const;
+    /// @return whether it was made; it is then the open one
+    bool createSession(const QString& file, const InspectionHeader& header);
     void openSession(const QString& file);
     void closeSession();
     void setHeader(const InspectionHeader& header);
@@ -51,6 +50,9 @@ class InspectionController : public QObject {
 
     // --- reference and map -------------------------------------------------------------------------------------------
     void loadReference(const ReferenceRequest& request);
+    /// Metres in one unit of the meshes that are loaded next.
+    double meshScale() const { return meshScale_; }
+    void setMeshScale(double scale) { meshScale_ = scale; }
     void loadMap(const QString& file);
     const std::optional<LoadedMap>& loadedMap() const { return map_; }
     /// A 4×4 transform, reference from map, from a CSV file replaces the registration.
@@ -83,6 +85,10 @@ class InspectionController : public QObject {
     /// Selects it and asks the views to fly there.
     void flyToCandidate(const QString& id);
 
+    /// What the operator pointed at in a view: names and values, ready to be read; empty: nothing.
+    const std::vector<ReportField>& probe() const { return probe_; }
+    void setProbe(std::vector<ReportField> fields);
+
     // --- plan and visits ---------------------------------------------------------------------------------------------
     /// Where the route starts: the robot's pose when it is known, else what was set.
     std::optional<Pose2> robotStart() const;
@@ -90,9 +96,14 @@ class InspectionController : public QObject {
     /// A map_server grid for the plan instead of one made from the map.
     void loadGrid(const QString& yamlFile);
     void planVisits();
+    void connectRobot(std::unique_ptr<RobotLink> robot);
     /// A simulated robot in a world file, or in the built-in tank.
     void connectWorldRobot(const QString& worldFile);
     void connectBuiltinRobot();
+    /// Whether the open inspection is one of the built-in tank.
+    bool isOnBuiltinTank() const;
+    /// What the simulated robot drives in, for a labeller that knows the truth; null without one.
+    std::shared_ptr<const World> simulatedWorld() const { return world_; }
     VisitDriver& visits() { return visits_; }
     const VisitDriver& visits() const { return visits_; }
     /// Cancels every goal of the robot at once.
@@ -108,15 +119,16 @@ class InspectionController : public QObject {
     /// The photo to be labelled, one everywhere.
     QString selectedPhoto() const { return selectedPhoto_; }
     void selectPhoto(const QString& photoId);
-    /// Selects the next photo without a decision of the labeller.
-    void selectNextUndecidedPhoto();
 
     // --- undo, report, tasks -----------------------------------------------------------------------------------------
     const UndoHistory& history() const { return history_; }
+    /// Also after reopening, when the history is empty: the labeller's decisions can still be taken back.
+    bool canUndo() const;
     void undo();
     void redo();
     ReportModel reportModel() const;
-    void recordReport(const ReportRecord& report);
+    /// Writes report.pdf, report.html, report.csv and report.json into a folder and records that.
+    void issueReport(const QString& folder);
     TaskRunner& tasks() { return tasks_; }
     const TaskRunner& tasks() const { return tasks_; }
     /// The states of the steps with the running task laid over them.
@@ -125,6 +137,8 @@ class InspectionController : public QObject {
     void raiseError(const QString& sentence);
 
   signals:
+    /// The built-in tank that was asked for is detected and can be worked on.
+    void builtinTankReady();
     /// Another inspection is open, or none: everything shown must be made anew.
     void sessionChanged();
     void headerChanged();
@@ -136,6 +150,7 @@ class InspectionController : public QObject {
     /// The candidates on the screen changed: by a preview, a commit or a detection.
     void candidatesChanged();
     void selectionChanged(const QString& candidateId);
+    void probeChanged();
     void flyToRequested(const QString& candidateId);
     void planChanged();
     void visitsChanged();
@@ -146,7 +161,7 @@ class InspectionController : public QObject {
     void decisionsChanged();
     void labelSetChanged();
     void labellerChanged();
-    void reportIssued();
+    void reportIssued(const QString& folder);
     void historyChanged();
     /// The state of a step changed.
     void stepsChanged();
@@ -154,39 +169,54 @@ class InspectionController : public QObject {
     void noticeRaised(const QString& sentence);
 
   private:
-    struct OpenedSession;
-
-    void adoptSession(std::unique_ptr<SessionFile> file, InspectionState state);
-    void adoptMap(const SourceFile& source, LoadedMap map);
-    void adoptCandidates(const Parameters& parameters, const DetectionResult& result);
-    void commitCandidatesWithoutHistory(const CandidateSettings& settings);
-    void dropPreview();
-    void refreshVerdicts();
-    void setPlan(const OccupancyGrid& grid_map, const VisitPlan& plan);
-    void recordDecision(const std::string& photoId, const std::vector<PhotoLabel>& labels, const std::string& comment);
+    void connectParts();
     /// Runs an act that may fail and turns what it throws into errorRaised().
     bool attempt(const std::function<void()>& act);
-    void connectParts();
+    void runFor(Step step, const QString& task, TaskRunner::Work work);
 
-    TaskRunner tasks_;
-    CandidatePreview previewer_;
-    VisitDriver visits_;
-    UndoHistory history_;
+    void adoptSession(std::shared_ptr<SessionFile> file, InspectionState state);
+    void adoptReference(const LoadedReference& loaded);
+    void adoptBuiltinRobot(const BuiltinInspection& builtin);
+    void adoptMap(const SourceFile& source, const LoadedMap& map);
+    void afterInputChanged();
+    void adoptCandidates(const Parameters& parameters, const DetectionResult& result);
+    void keepCandidateSettings(const CandidateSettings& settings, const std::function<void()>& afterwards);
+    void dropPreview();
+    void refreshVerdicts();
+    GridSources gridSources() const;
+    void keepVisit(const Visit& visit);
+    void keepPhoto(const Photo& photo);
+    void recordDecision(const std::string& photoId, const std::string& labeller, const std::vector<PhotoLabel>& labels,
+                        const std::string& comment);
+    void takeBackDecision(const std::string& labeller);
+    bool hasDecisionOf(const std::string& labeller) const;
 
-    std::unique_ptr<SessionFile> session_;
-    std::unique_ptr<Inspection> inspection_;
     InspectionState nothing_;
+    UndoHistory history_;
+    /// Before the inspection, which writes into it to its end.
+    std::shared_ptr<SessionFile> session_;
+    std::unique_ptr<Inspection> inspection_;
     std::shared_ptr<DetectionPipeline> pipeline_;
+    double meshScale_ = 1.0;
     std::optional<LoadedMap> map_;
     std::optional<Transform> givenTransform_;
     std::shared_ptr<const CandidateSet> preview_;
     CandidateSettings previewSettings_;
     std::vector<CandidateVerdict> verdicts_;
+    std::vector<ReportField> probe_;
     QString selected_;
     QString selectedPhoto_;
     QString labeller_;
     std::optional<Pose2> robotStart_;
     std::optional<OccupancyGrid> givenGrid_;
+    std::optional<OccupancyGrid> robotGrid_;
+    std::shared_ptr<const World> world_;
+    bool isBuiltinPending_ = false;
+    std::optional<Step> taskStep_;
+    /// Last, so that their threads end before what they work on goes.
+    VisitDriver visits_;
+    CandidatePreview previewer_;
+    TaskRunner tasks_;
 };
 
 }  // namespace fodscope

@@ -26,8 +26,6 @@ struct ReferenceRequest {
     double meshScale = 1.0;
     CadReferenceSettings cad;
     MeanReferenceSettings mean;
-    /// Nominal maps are moved into the frame of this mesh or map; empty: into that of the first of them.
-    std::filesystem::path alignTo;
 };
 
 /// @return the request that the files themselves suggest: one mesh, one reference, or several maps

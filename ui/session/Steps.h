@@ -26,7 +26,7 @@ std::array<StepState, kStepCount> stepStates(const InspectionState& state);
 /// @return the first step that is not done, where a reopened session goes on when nothing better is remembered
 Step firstOpenStep(const InspectionState& state);
 
-/// Photos on which `labeller` has no decision that counts, in order of arrival.
+/// Photos on which no reader has a decision that counts, in order of arrival.
 std::vector<std::string> photosWithoutDecision(const InspectionState& state);
 
 }  // namespace fodscope

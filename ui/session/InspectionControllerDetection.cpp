@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+// Reference, map and candidates of the inspection controller.
+#include <QFileInfo>
+#include <algorithm>
+#include <utility>
+
+#include "core/common/Error.h"
+#include "ui/session/BuiltinInspection.h"
+#include "ui/session/InspectionController.h"
+
+namespace fodscope {
+namespace {
+
+QString fileNames(const ReferenceRequest& request) {
+    if (request.files.size() == 1) return QString::fromStdString(request.files.front().filename().string());
+    return QObject::tr("%n nominal maps", nullptr, static_cast<int>(request.files.size()));
+}
+
+DetectionResult resultOf(const DetectionRecord& record, std::shared_ptr<const CandidateSet> candidates) {
+    DetectionResult result;
+    result.registration = record.registration;
+    result.field = record.field;
+    result.candidates = std::move(candidates);
+    result.coverage = record.coverage;
+    result.floorHeight_m = record.floorHeight_m;
+    return result;
+}
+
+PreviewRequest previewRequest(const InspectionState& state, const CandidateSettings& settings) {
+    const DetectionRecord& detection = *state.detection;
+    return {detection.field,
+            settings,
+            detection.parameters.discrepancy.voxelSize_m,
+            detection.floorHeight_m,
+            detection.registration.T_reference_from_map,
+            detection.candidates,
+            state.highestCandidateNumber};
+}
+
+}  // namespace
+
+void InspectionController::loadReference(const ReferenceRequest& request) {
+    if (!inspection_) return;
+    runFor(Step::Reference, tr("loading the reference: %1").arg(fileNames(request)),
+           [this, request](Progress& progress) -> TaskRunner::Adopt {
+               const LoadedReference loaded = makeReference(request, progress);
+               return [this, loaded] { adoptReference(loaded); };
+           });
+}
+
+void InspectionController::adoptReference(const LoadedReference& loaded) {
+    inspection_->setReference(loaded.source, loaded.reference);
+    const bool wantsCovariance = state().parameters.candidates.metric == Metric::Mahalanobis;
+    if (!loaded.reference->hasCovariance() && wantsCovariance) {
+        Parameters parameters = state().parameters;
+        parameters.candidates = paperPhysicalCandidateSettings(Metric::Euclidean);
+        inspection_->setParameters(parameters);
+        emit parametersChanged();
+        emit noticeRaised(tr("This reference has no covariances, so the Euclidean discrepancy is used."));
+    }
+    afterInputChanged();
+    emit referenceChanged();
+    if (map_) detect();
+}
+
+void InspectionController::afterInputChanged() {
+    dropPreview();
+    history_.clear();
+    if (!state().plan) visits_.clearPlan();
+    refreshVerdicts();
+    if (!selected_.isEmpty() && findShownCandidate(selected_) == nullptr) selectCandidate(QString());
+    emit historyChanged();
+    emit detectionChanged();
+    emit candidatesChanged();
+    emit planChanged();
+    emit visitsChanged();
+    emit stepsChanged();
+}
+
+void InspectionController::loadMap(const QString& file) {
+    if (!inspection_) return;
+    runFor(Step::Map, tr("loading the map: %1").arg(QFileInfo(file).fileName()),
+           [this, file](Progress& progress) -> TaskRunner::Adopt {
+               const MapFile loaded = readMapFile(file.toStdString(), progress);
+               return [this, loaded] { adoptMap(loaded.source, loaded.map); };
+           });
+}
+
+void InspectionController::adoptMap(const SourceFile& source, const LoadedMap& map) {
+    inspection_->setMap(source);
+    map_ = map;
+    robotGrid_.reset();
+    afterInputChanged();
+    emit mapChanged();
+    if (state().reference) detect();
+}
+
+void InspectionController::loadGivenTransform(const QString& csvFile) {
+    const bool read = attempt([&] { givenTransform_ = readTransformCsv(csvFile.toStdString()); });
+    if (!read) return;
+    emit mapChanged();
+    if (state().reference && state().mapSource) detect();
+}
+
+void InspectionController::clearGivenTransform() {
+    if (!givenTransform_) return;
+    givenTransform_.reset();
+    emit mapChanged();
+    if (state().reference && state().mapSource) detect();
+}
+
+void InspectionController::detect() {
+    const bool ready = attempt([this] {
+        if (!state().reference) throw Error("reference", "there is none yet", "load a reference map in step 1");
+        if (!state().mapSource) throw Error("map", "there is none yet", "load the map under inspection in step 2");
+        if (candidatesAreFrozen())
+            throw Error("candidates", "they are frozen because the visits have begun",
+                        "start a new inspection to detect again");
+    });
+    if (!ready) return;
+    auto reread = std::make_shared<std::optional<LoadedMap>>(map_);
+    runFor(Step::Map, tr("detecting"),
+           [this, reread, pipeline = pipeline_, reference = state().reference, source = *state().mapSource,
+            parameters = state().parameters, given = givenTransform_](Progress& progress) -> TaskRunner::Adopt {
+               if (!*reread) *reread = rereadMap(source, progress);
+               pipeline->setReference(reference);
+               pipeline->setMap((*reread)->cloud);
+               pipeline->setGivenTransform(given);
+               const DetectionResult result = pipeline->run(parameters, progress);
+               return [this, reread, parameters, result] {
+                   const bool isNew = !map_;
+                   map_ = *reread;
+                   adoptCandidates(parameters, result);
+                   if (isNew) emit mapChanged();
+                   if (std::exchange(isBuiltinPending_, false)) emit builtinTankReady();
+               };
+           });
+}
+
+void InspectionController::adoptCandidates(const Parameters& parameters, const DetectionResult& result) {
+    inspection_->adoptDetection(parameters, result);
+    preview_.reset();
+    previewer_.drop();
+    visits_.clearPlan();
+    refreshVerdicts();
+    if (!selected_.isEmpty() && findShownCandidate(selected_) == nullptr) selectCandidate(QString());
+    emit parametersChanged();
+    emit detectionChanged();
+    emit candidatesChanged();
+    emit planChanged();
+    emit visitsChanged();
+    emit stepsChanged();
+}
+
+bool InspectionController::candidatesAreFrozen() const {
+    return inspection_ && inspection_->candidatesAreFrozen();
+}
+
+void InspectionController::previewCandidates(const CandidateSettings& settings) {
+    if (!state().detection || !state().detection->field || candidatesAreFrozen()) return;
+    previewSettings_ = settings;
+    previewer_.request(previewRequest(state(), settings));
+}
+
+void InspectionController::commitCandidates(const CandidateSettings& settings) {
+    if (!inspection_) return;
+    const CandidateSettings before = state().parameters.candidates;
+    if (settings == before) {
+        dropPreview();
+        return;
+    }
+    if (candidatesAreFrozen()) {
+        dropPreview();
+        emit errorRaised(
+            tr("Candidates: they are frozen because the visits have begun; start a new inspection to "
+               "detect again"));
+        return;
+    }
+    keepCandidateSettings(settings, [this, before, settings] {
+        history_.add({tr("candidate settings"), [this, before] { keepCandidateSettings(before, {}); },
+                      [this, settings] { keepCandidateSettings(settings, {}); }});
+        emit historyChanged();
+    });
+}
+
+void InspectionController::keepCandidateSettings(const CandidateSettings& settings,
+                                                 const std::function<void()>& afterwards) {
+    Parameters parameters = state().parameters;
+    parameters.candidates = settings;
+    if (!state().detection || !state().detection->field) {
+        // Nothing to cluster yet: the settings wait for the next detection.
+        setParameters(parameters);
+        if (afterwards) afterwards();
+        return;
+    }
+    runFor(Step::Candidates, tr("finding candidates"),
+           [this, parameters, afterwards, record = *state().detection](Progress& progress) -> TaskRunner::Adopt {
+               auto candidates = std::make_shared<const CandidateSet>(
+                   findCandidates(*record.field, parameters.candidates, record.parameters.discrepancy.voxelSize_m,
+                                  record.floorHeight_m, record.registration.T_reference_from_map, progress));
+               return [this, parameters, afterwards, result = resultOf(record, candidates)] {
+                   adoptCandidates(parameters, result);
+                   if (afterwards) afterwards();
+               };
+           });
+}
+
+void InspectionController::dropPreview() {
+    previewer_.drop();
+    if (!preview_) return;
+    preview_.reset();
+    emit candidatesChanged();
+}
+
+std::shared_ptr<const CandidateSet> InspectionController::shownCandidates() const {
+    if (preview_) return preview_;
+    return state().detection ? state().detection->candidates : nullptr;
+}
+
+CandidateSettings InspectionController::shownCandidateSettings() const {
+    return preview_ ? previewSettings_ : state().parameters.candidates;
+}
+
+const Candidate* InspectionController::findShownCandidate(const QString& id) const {
+    const auto shown = shownCandidates();
+    if (!shown) return nullptr;
+    const auto found = std::ranges::find(shown->candidates, id.toStdString(), &Candidate::id);
+    return found == shown->candidates.end() ? nullptr : &*found;
+}
+
+void InspectionController::selectCandidate(const QString& id) {
+    if (id == selected_) return;
+    selected_ = id;
+    emit selectionChanged(id);
+}
+
+void InspectionController::selectNeighbour(int step) {
+    const auto shown = shownCandidates();
+    if (!shown || shown->candidates.empty()) return;
+    const int count = static_cast<int>(shown->candidates.size());
+    const auto found = std::ranges::find(shown->candidates, selected_.toStdString(), &Candidate::id);
+    const int current =
+        found == shown->candidates.end() ? (step > 0 ? -1 : 0) : static_cast<int>(found - shown->candidates.begin());
+    const int next = ((current + step) % count + count) % count;
+    selectCandidate(QString::fromStdString(shown->candidates[static_cast<std::size_t>(next)].id));
+}
+
+void InspectionController::flyToCandidate(const QString& id) {
+    selectCandidate(id);
+    emit flyToRequested(id);
+}
+
+void InspectionController::setProbe(std::vector<ReportField> fields) {
+    probe_ = std::move(fields);
+    emit probeChanged();
+}
+
+void InspectionController::refreshVerdicts() {
+    verdicts_ = verdictsOf(state());
+}
+
+}  // namespace fodscope
