@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "ui/commands/CommandSet.h"
+
+#include <QMenuBar>
+#include <QPushButton>
+
+#include "ui/commands/CandidateCommands.h"
+#include "ui/commands/InputCommands.h"
+#include "ui/commands/SessionCommands.h"
+#include "ui/commands/VisitCommands.h"
+#include "ui/commands/WindowCommands.h"
+
+namespace fodscope {
+namespace {
+
+struct MenuPlan {
+    QString title;
+    /// Ids; an empty one is a separator.
+    QStringList ids;
+};
+
+std::vector<MenuPlan> menus() {
+    return {{QObject::tr("&Inspection"),
+             {"session.new", "session.builtin", "session.open", "", "session.close", "", "session.quit"}},
+            {QObject::tr("&Edit"), {"edit.undo", "edit.redo", "", "task.cancel", "view.leave"}},
+            {QObject::tr("&View"),
+             {"step.1", "step.2", "step.3", "step.4", "step.5", "step.6", "", "view.fit", "reference.heatmap", "",
+              "view.theme"}},
+            {QObject::tr("&Map"),
+             {"reference.mesh", "reference.load", "reference.nominal", "", "map.load", "map.transform", "map.register",
+              "", "map.detect"}},
+            {QObject::tr("&Candidates"),
+             {"candidate.next", "candidate.previous", "candidate.fly", "", "metric.mahalanobis", "metric.euclidean",
+              "candidate.paper", "", "threshold.down", "threshold.up", "threshold.down.coarse", "threshold.up.coarse"}},
+            {QObject::tr("&Robot"),
+             {"robot.builtin", "robot.world", "visit.grid", "", "visit.plan", "", "visit.start", "visit.pause",
+              "visit.toggle", "visit.skip", "visit.retry", "", "robot.stop"}},
+            {QObject::tr("&Report"), {"label.next", "label.set", "", "report.issue"}},
+            {QObject::tr("&Help"), {"help.keys", "help.palette"}}};
+}
+
+QString toolTipOf(const QAction& action) {
+    const QString key = action.shortcut().toString(QKeySequence::NativeText);
+    return key.isEmpty() ? action.toolTip() : QStringLiteral("%1 (%2)").arg(action.toolTip(), key);
+}
+
+void follow(QPushButton& button, const QAction& action) {
+    button.setText(action.text());
+    button.setIcon(action.icon());
+    button.setEnabled(action.isEnabled());
+    button.setToolTip(toolTipOf(action));
+    button.setCheckable(action.isCheckable());
+    button.setChecked(action.isChecked());
+}
+
+}  // namespace
+
+template <typename C, typename... Args>
+void CommandSet::add(Args&&... args) {
+    commands_.push_back(new C(context_, std::forward<Args>(args)...));
+}
+
+CommandSet::CommandSet(CommandContext context, QObject* parent) : QObject(parent), context_(context) {
+    add<NewInspectionCommand>();
+    add<OpenSessionCommand>();
+    add<BuiltinTankCommand>();
+    add<CloseInspectionCommand>();
+    add<QuitCommand>();
+    add<UndoCommand>();
+    add<RedoCommand>();
+    add<CancelTaskCommand>();
+    add<LoadMeshCommand>();
+    add<LoadReferenceCommand>();
+    add<LoadNominalMapsCommand>();
+    add<LoadMapCommand>();
+    add<LoadTransformCommand>();
+    add<ForgetTransformCommand>();
+    add<DetectCommand>();
+    add<HeatMapCommand>();
+    add<NeighbourCandidateCommand>(+1);
+    add<NeighbourCandidateCommand>(-1);
+    add<FlyToCandidateCommand>();
+    for (const bool coarse : {false, true})
+        for (const int step : {+1, -1})
+            add<StepThresholdCommand>(step, coarse);
+    add<UseMetricCommand>(Metric::Mahalanobis);
+    add<UseMetricCommand>(Metric::Euclidean);
+    add<PaperSettingsCommand>();
+    add<LoadGridCommand>();
+    add<ConnectWorldRobotCommand>();
+    add<ConnectBuiltinRobotCommand>();
+    add<PlanVisitsCommand>();
+    add<StartVisitsCommand>();
+    add<PauseVisitsCommand>();
+    add<TogglePauseCommand>();
+    add<SkipVisitCommand>();
+    add<RetryVisitCommand>();
+    add<StopCommand>();
+    for (int step = 0; step < kStepCount; ++step)
+        add<GoToStepCommand>(static_cast<Step>(step));
+    add<FitViewsCommand>();
+    add<ToggleThemeCommand>();
+    add<ShortcutsCommand>();
+    add<PaletteCommand>();
+    add<LeaveCommand>();
+    add<NextUndecidedCommand>();
+    add<LoadLabelSetCommand>();
+    add<IssueReportCommand>();
+
+    const auto& controller = context_.controller;
+    for (const auto signal : {&InspectionController::sessionChanged, &InspectionController::referenceChanged,
+                              &InspectionController::mapChanged, &InspectionController::parametersChanged,
+                              &InspectionController::candidatesChanged, &InspectionController::planChanged,
+                              &InspectionController::visitsChanged, &InspectionController::robotChanged,
+                              &InspectionController::decisionsChanged, &InspectionController::historyChanged,
+                              &InspectionController::stepsChanged})
+        connect(&controller, signal, this, &CommandSet::refreshAll);
+    connect(&controller, &InspectionController::selectionChanged, this, &CommandSet::refreshAll);
+    refreshAll();
+}
+
+CommandSet::~CommandSet() {
+    for (Command* command : commands_)
+        delete command;
+}
+
+Command* CommandSet::find(const QString& id) const {
+    for (Command* command : commands_)
+        if (command->objectName() == id) return command;
+    return nullptr;
+}
+
+QPushButton* CommandSet::makeButton(const QString& id, QWidget* parent) const {
+    auto* button = new QPushButton(parent);
+    button->setObjectName(QStringLiteral("button.") + id);
+    button->setFocusPolicy(Qt::TabFocus);
+    Command* command = find(id);
+    follow(*button, *command);
+    connect(command, &QAction::changed, button, [button, command] { follow(*button, *command); });
+    connect(button, &QPushButton::clicked, command, [command] { command->trigger(); });
+    return button;
+}
+
+void CommandSet::fillMenuBar(QMenuBar& menuBar) const {
+    for (const MenuPlan& plan : menus()) {
+        QMenu* menu = menuBar.addMenu(plan.title);
+        for (const QString& id : plan.ids) {
+            if (id.isEmpty())
+                menu->addSeparator();
+            else
+                menu->addAction(find(id));
+        }
+    }
+}
+
+void CommandSet::refreshAll() {
+    for (Command* command : commands_)
+        command->refresh();
+}
+
+}  // namespace fodscope

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ui/commands/Command.h"
+
+namespace fodscope {
+
+/// Commands that bring a reference or a map into the open inspection; available while candidates may still change.
+class InputCommand : public Command {
+  public:
+    using Command::Command;
+    bool isAvailable() const override { return controller().isOpen() && !controller().candidatesAreFrozen(); }
+};
+
+class LoadMeshCommand : public InputCommand {
+  public:
+    explicit LoadMeshCommand(CommandContext& context);
+    void run() override;
+};
+
+class LoadReferenceCommand : public InputCommand {
+  public:
+    explicit LoadReferenceCommand(CommandContext& context);
+    void run() override;
+};
+
+class LoadNominalMapsCommand : public InputCommand {
+  public:
+    explicit LoadNominalMapsCommand(CommandContext& context);
+    void run() override;
+};
+
+class LoadMapCommand : public InputCommand {
+  public:
+    explicit LoadMapCommand(CommandContext& context);
+    void run() override;
+};
+
+class LoadTransformCommand : public InputCommand {
+  public:
+    explicit LoadTransformCommand(CommandContext& context);
+    void run() override;
+};
+
+class ForgetTransformCommand : public InputCommand {
+  public:
+    explicit ForgetTransformCommand(CommandContext& context);
+    void run() override;
+    bool isAvailable() const override;
+};
+
+class DetectCommand : public InputCommand {
+  public:
+    explicit DetectCommand(CommandContext& context);
+    void run() override;
+};
+
+class HeatMapCommand : public Command {
+  public:
+    explicit HeatMapCommand(CommandContext& context);
+    void run() override;
+    bool isAvailable() const override;
+};
+
+}  // namespace fodscope
