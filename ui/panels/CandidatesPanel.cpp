@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "ui/panels/CandidatesPanel.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <cmath>
+
+#include "ui/commands/CommandSet.h"
+#include "ui/panels/Format.h"
+#include "ui/widgets/Card.h"
+#include "ui/widgets/NumberReadout.h"
+#include "ui/widgets/ThresholdHistogram.h"
+#include "ui/widgets/ValueSlider.h"
+
+namespace fodscope {
+namespace {
+
+ValueRange thresholdRange(Metric metric) {
+    if (metric == Metric::Mahalanobis) return {0.0, 12.0, 0.05, 0.5, QString(), 1.0, 2};
+    return {0.0, 0.25, 0.001, 0.01, QStringLiteral("mm"), 1000.0, 1};
+}
+
+constexpr double kCutoffMaximum_m = 1.0;
+constexpr double kLeastPointsMaximum = 100.0;
+
+}  // namespace
+
+CandidatesPanel::CandidatesPanel(InspectionController& controller, const CommandSet& commands, QWidget* parent)
+    : PanelColumn(parent), controller_(controller) {
+    setObjectName(QStringLiteral("panel.candidates"));
+    hint_ = makeText(tr("There is nothing to threshold yet: align a map with a reference first, in step 2."),
+                     TextRole::Muted, this);
+    column()->addWidget(hint_);
+    body_ = new QWidget(this);
+    auto* body = new QVBoxLayout(body_);
+    body->setContentsMargins(0, 0, 0, 0);
+    body->setSpacing(6);
+    column()->addWidget(body_);
+
+    auto* numbers = new QHBoxLayout;
+    candidates_ = new NumberReadout(tr("candidates"), this);
+    candidates_->setObjectName(QStringLiteral("candidates.count"));
+    above_ = new NumberReadout(tr("above threshold"), this);
+    above_->setObjectName(QStringLiteral("candidates.above"));
+    numbers->addWidget(candidates_, 1);
+    numbers->addWidget(above_, 1);
+    body->addLayout(numbers);
+
+    auto* discrepancy = new Card(tr("Discrepancy"), this);
+    auto* metrics = new QHBoxLayout;
+    metrics->setSpacing(0);
+    for (const char* id : {"metric.mahalanobis", "metric.euclidean"})
+        metrics->addWidget(commands.makeButton(QString::fromLatin1(id), discrepancy), 1);
+    discrepancy->body()->addLayout(metrics);
+    histogram_ = new ThresholdHistogram(discrepancy);
+    histogram_->setObjectName(QStringLiteral("candidates.histogram"));
+    discrepancy->body()->addWidget(histogram_);
+    threshold_ = new ValueSlider(tr("Threshold"), thresholdRange(Metric::Mahalanobis), discrepancy);
+    threshold_->setObjectName(QStringLiteral("slider.threshold"));
+    threshold_->setHelp(
+        tr("Voxels whose smoothed discrepancy is greater are discrepant. Keys [ and ], coarse with Shift."));
+    discrepancy->body()->addWidget(threshold_);
+    note_ = makeText({}, TextRole::Caption, discrepancy);
+    note_->setObjectName(QStringLiteral("candidates.note"));
+    discrepancy->body()->addWidget(note_);
+    body->addWidget(discrepancy);
+
+    auto* clusters = new Card(tr("Clusters"), this);
+    cutoff_ = new ValueSlider(tr("Cluster cutoff"),
+                              {0.02, kCutoffMaximum_m, 0.005, 0.05, QStringLiteral("cm"), 100.0, 1}, clusters);
+    cutoff_->setObjectName(QStringLiteral("slider.cutoff"));
+    cutoff_->setHelp(tr("Clusters whose centroids are at most this far apart are one candidate."));
+    leastPoints_ =
+        new ValueSlider(tr("Least points"), {0.0, kLeastPointsMaximum, 1.0, 10.0, tr("voxels"), 1.0, 0}, clusters);
+    leastPoints_->setObjectName(QStringLiteral("slider.leastPoints"));
+    leastPoints_->setHelp(tr("Candidates with fewer voxels are dropped."));
+    auto* centroidRow = new QHBoxLayout;
+    auto* centroidLabel = new QLabel(tr("Centroid"), clusters);
+    centroid_ = new QComboBox(clusters);
+    centroid_->setObjectName(QStringLiteral("candidates.centroid"));
+    centroid_->addItem(tr("plain mean"), static_cast<int>(CentroidKind::Plain));
+    centroid_->addItem(tr("weighted by discrepancy"), static_cast<int>(CentroidKind::DiscrepancyWeighted));
+    centroid_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    centroidRow->addWidget(centroidLabel);
+    centroidRow->addWidget(centroid_, 1);
+    clusters->body()->addWidget(cutoff_);
+    clusters->body()->addWidget(leastPoints_);
+    clusters->body()->addLayout(centroidRow);
+    clusters->body()->addWidget(commands.makeButton(QStringLiteral("candidate.paper"), clusters));
+    frozen_ = makeText(tr("Frozen: the visits have begun, so candidates keep their ids."), TextRole::Muted, clusters);
+    clusters->body()->addWidget(frozen_);
+    body->addWidget(clusters);
+    auto* plan = commands.makeButton(QStringLiteral("visit.plan"), this);
+    setButtonRole(plan, ButtonRole::Primary);
+    body->addWidget(plan);
+    column()->addStretch();
+
+    for (ValueSlider* slider : {threshold_, cutoff_, leastPoints_}) {
+        connect(slider, &ValueSlider::valueChanging, this, &CandidatesPanel::preview);
+        connect(slider, &ValueSlider::valueCommitted, this, &CandidatesPanel::commit);
+    }
+    connect(histogram_, &ThresholdHistogram::thresholdDragged, this, [this](double value) {
+        threshold_->setValue(value);
+        preview();
+    });
+    connect(histogram_, &ThresholdHistogram::thresholdReleased, this, [this](double value) {
+        threshold_->setValue(value);
+        commit();
+    });
+    connect(centroid_, QOverload<int>::of(&QComboBox::activated), this, &CandidatesPanel::commit);
+    connect(&controller, &InspectionController::sessionChanged, this, &CandidatesPanel::refreshField);
+    connect(&controller, &InspectionController::detectionChanged, this, &CandidatesPanel::refreshField);
+    connect(&controller, &InspectionController::parametersChanged, this, &CandidatesPanel::refreshField);
+    connect(&controller, &InspectionController::candidatesChanged, this, &CandidatesPanel::refreshCounts);
+    connect(&controller, &InspectionController::visitsChanged, this, &CandidatesPanel::refreshSettings);
+    refreshField();
+}
+
+void CandidatesPanel::stepThreshold(int steps, bool coarse) {
+    histogram_->stepThreshold(steps, coarse);
+}
+
+void CandidatesPanel::applyRanges(Metric metric) {
+    if (rangedFor_ == metric) return;
+    rangedFor_ = metric;
+    const ValueRange range = thresholdRange(metric);
+    const CandidateSettings paper = paperPhysicalCandidateSettings(metric);
+    threshold_->setRange(range);
+    threshold_->setDefaultValue(paper.threshold);
+    cutoff_->setDefaultValue(paper.clusterCutoff_m);
+    leastPoints_->setDefaultValue(paper.minimumPoints);
+    histogram_->setDisplay(range.unit, range.displayFactor, range.decimals);
+    histogram_->setSteps(range.step, range.coarseStep);
+}
+
+void CandidatesPanel::refreshField() {
+    const InspectionState& state = controller_.state();
+    const bool hasField = state.detection && state.detection->field;
+    hint_->setVisible(!hasField);
+    body_->setVisible(hasField);
+    const Metric metric = state.parameters.candidates.metric;
+    applyRanges(metric);
+    const DiscrepancyField* field = hasField ? state.detection->field.get() : nullptr;
+    if (field != binnedField_ || binnedMetric_ != metric) {
+        binnedField_ = field;
+        binnedMetric_ = metric;
+        const bool isKnown = field != nullptr && (metric == Metric::Euclidean || field->hasMahalanobis());
+        if (isKnown)
+            histogram_->setValues(field->smoothed(metric));
+        else
+            histogram_->clear();
+    }
+    refreshSettings();
+    refreshCounts();
+}
+
+void CandidatesPanel::refreshSettings() {
+    const CandidateSettings& kept = controller_.state().parameters.candidates;
+    if (!controller_.isPreviewing()) {
+        threshold_->setValue(kept.threshold);
+        histogram_->setThreshold(kept.threshold);
+        cutoff_->setValue(kept.clusterCutoff_m);
+        leastPoints_->setValue(kept.minimumPoints);
+        centroid_->setCurrentIndex(centroid_->findData(static_cast<int>(kept.centroid)));
+    }
+    const bool frozen = controller_.candidatesAreFrozen();
+    frozen_->setVisible(frozen);
+    for (QWidget* widget :
+         {static_cast<QWidget*>(threshold_), static_cast<QWidget*>(cutoff_), static_cast<QWidget*>(leastPoints_),
+          static_cast<QWidget*>(centroid_), static_cast<QWidget*>(histogram_)})
+        widget->setEnabled(!frozen);
+}
+
+void CandidatesPanel::refreshCounts() {
+    const auto shown = controller_.shownCandidates();
+    if (!shown) {
+        candidates_->setUnknown();
+        above_->setUnknown();
+        note_->clear();
+        return;
+    }
+    candidates_->setNumber(count(shown->candidates.size()));
+    const std::size_t voxels = shown->candidateOfVoxel.size();
+    const double share = voxels == 0 ? std::nan("") : static_cast<double>(shown->pointsAboveThreshold) / voxels;
+    above_->setNumber(QString::number(share * 100.0, 'f', share < 0.01 ? 2 : 1), QStringLiteral("%"));
+    QString note = tr("%1 of %2 voxels are discrepant.").arg(count(shown->pointsAboveThreshold), count(voxels));
+    if (histogram_->countUnknown() > 0)
+        note += tr(" %1 have no known value: the reference is untrained there.").arg(count(histogram_->countUnknown()));
+    note_->setText(note);
+}
+
+CandidateSettings CandidatesPanel::settings() const {
+    CandidateSettings settings = controller_.state().parameters.candidates;
+    settings.threshold = threshold_->value();
+    settings.clusterCutoff_m = cutoff_->value();
+    settings.minimumPoints = static_cast<int>(std::lround(leastPoints_->value()));
+    settings.centroid = static_cast<CentroidKind>(centroid_->currentData().toInt());
+    return settings;
+}
+
+void CandidatesPanel::preview() {
+    histogram_->setThreshold(threshold_->value());
+    controller_.previewCandidates(settings());
+}
+
+void CandidatesPanel::commit() {
+    histogram_->setThreshold(threshold_->value());
+    controller_.commitCandidates(settings());
+}
+
+}  // namespace fodscope

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QString>
+
+#include "core/detection/Candidates.h"
+#include "core/inspection/InspectionState.h"
+#include "ui/session/Steps.h"
+#include "ui/theme/Theme.h"
+
+namespace fodscope {
+
+/// Numbers with their units, as all panels write them.
+QString centimetres(double metres, int decimals = 1);
+QString millimetres(double metres, int decimals = 0);
+QString percent(double share, int decimals = 0);
+/// 1 234 567 with thin spaces.
+QString count(std::size_t number);
+/// "12 × 8 × 5 cm"
+QString sizeText(const Eigen::Vector3d& size_m);
+/// "1.23, 0.40, 0.06 m"
+QString placeText(const Eigen::Vector3d& point);
+/// A discrepancy in the metric's own unit: "4.2" or "45 mm".
+QString discrepancyText(double value, Metric metric);
+QString fileNameOf(const SourceFile& source);
+
+/// A state as word and kind.
+struct StateText {
+    StatusKind kind = StatusKind::Neutral;
+    QString word;
+};
+StateText stateText(StepState state);
+StateText stateText(const Visit& visit);
+StateText stateText(Verdict verdict);
+/// Of a candidate: its verdict, or where its visit is while no photo shows it.
+StateText candidateState(const InspectionState& state, const CandidateVerdict& verdict);
+
+/// The waypoint that photographs a candidate; null without one.
+const Waypoint* waypointOf(const InspectionState& state, const std::string& candidateId);
+const Visit* visitOf(const InspectionState& state, const std::string& waypointId);
+
+}  // namespace fodscope

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QFormLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <vector>
+
+#include "core/inspection/ReportModel.h"
+#include "ui/theme/Theme.h"
+
+namespace fodscope {
+
+/// Names at the left in muted text, values at the right that can be selected and copied.
+class FieldList : public QWidget {
+  public:
+    explicit FieldList(QWidget* parent = nullptr);
+
+    void setFields(const std::vector<std::pair<QString, QString>>& fields);
+    void setFields(const std::vector<ReportField>& fields);
+
+  private:
+    QFormLayout* form_ = nullptr;
+    std::vector<std::pair<QLabel*, QLabel*>> rows_;
+};
+
+/// A column of cards that scrolls when the window is low.
+class PanelColumn : public QScrollArea {
+  public:
+    explicit PanelColumn(QWidget* parent = nullptr);
+    QVBoxLayout* column() const { return column_; }
+    QSize sizeHint() const override;
+
+  private:
+    QVBoxLayout* column_ = nullptr;
+};
+
+/// A wrapped sentence in a role.
+QLabel* makeText(const QString& text, TextRole role, QWidget* parent);
+
+}  // namespace fodscope

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+#include "ui/panels/VisitPanel.h"
+
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QProgressBar>
+#include <QTreeWidget>
+#include <algorithm>
+
+#include "ui/commands/CommandSet.h"
+#include "ui/panels/Format.h"
+#include "ui/widgets/Card.h"
+#include "ui/widgets/StatusChip.h"
+
+namespace fodscope {
+namespace {
+
+QDoubleSpinBox* poseBox(const QString& suffix, double limit, QWidget* parent) {
+    auto* box = new QDoubleSpinBox(parent);
+    box->setRange(-limit, limit);
+    box->setDecimals(2);
+    box->setSuffix(suffix);
+    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    return box;
+}
+
+QString poseText(const Pose2& pose) {
+    return QObject::tr("%1, %2 m, %3°")
+        .arg(QString::number(pose.x_m, 'f', 2), QString::number(pose.y_m, 'f', 2),
+             QString::number(degreesFromRadians(pose.yaw_rad), 'f', 0));
+}
+
+StateText runnerText(RunnerState state) {
+    switch (state) {
+        case RunnerState::Idle:
+            return {StatusKind::ToDo, QObject::tr("not started")};
+        case RunnerState::Running:
+            return {StatusKind::Running, QObject::tr("driving")};
+        case RunnerState::Paused:
+            return {StatusKind::Attention, QObject::tr("paused")};
+        case RunnerState::Finished:
+            return {StatusKind::Clear, QObject::tr("finished")};
+    }
+    return {};
+}
+
+QString joined(const std::vector<std::string>& ids) {
+    QStringList words;
+    for (const std::string& id : ids)
+        words << QString::fromStdString(id);
+    return words.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+VisitPanel::VisitPanel(InspectionController& controller, const CommandSet& commands, QWidget* parent)
+    : PanelColumn(parent), controller_(controller) {
+    setObjectName(QStringLiteral("panel.visit"));
+    makeRobotCard(commands);
+    makePlanCard(commands);
+    makeDriveCard(commands);
+    column()->addStretch();
+    connect(&controller, &InspectionController::sessionChanged, this, &VisitPanel::refresh);
+    connect(&controller, &InspectionController::robotChanged, this, &VisitPanel::refreshRobot);
+    connect(&controller, &InspectionController::planChanged, this, &VisitPanel::refresh);
+    connect(&controller, &InspectionController::detectionChanged, this, &VisitPanel::refresh);
+    connect(&controller, &InspectionController::visitsChanged, this, &VisitPanel::refreshVisits);
+    connect(&controller, &InspectionController::photosChanged, this, &VisitPanel::refreshVisits);
+    connect(&controller, &InspectionController::selectionChanged, this, &VisitPanel::selectRow);
+    // The age of the pose grows while nothing is heard of the robot.
+    ageTimer_.setInterval(500);
+    connect(&ageTimer_, &QTimer::timeout, this, &VisitPanel::refreshRobot);
+    ageTimer_.start();
+    refresh();
+}
+
+void VisitPanel::makeRobotCard(const CommandSet& commands) {
+    robot_ = new Card(tr("Robot"), this);
+    link_ = new StatusChip(robot_);
+    robot_->addHeaderWidget(link_);
+    robotFields_ = new FieldList(robot_);
+    robot_->body()->addWidget(robotFields_);
+    for (const char* id : {"robot.builtin", "robot.world"}) {
+        connectButtons_.push_back(commands.makeButton(QString::fromLatin1(id), robot_));
+        robot_->body()->addWidget(connectButtons_.back());
+    }
+    start_ = new QWidget(robot_);
+    auto* grid = new QGridLayout(start_);
+    grid->setContentsMargins(0, 0, 0, 0);
+    auto* label = makeText(tr("Start of the route, map frame"), TextRole::Muted, start_);
+    startX_ = poseBox(tr(" m"), 1000.0, start_);
+    startY_ = poseBox(tr(" m"), 1000.0, start_);
+    startYaw_ = poseBox(tr("°"), 360.0, start_);
+    startX_->setObjectName(QStringLiteral("visit.startX"));
+    startY_->setObjectName(QStringLiteral("visit.startY"));
+    startYaw_->setObjectName(QStringLiteral("visit.startYaw"));
+    grid->addWidget(label, 0, 0, 1, 3);
+    grid->addWidget(startX_, 1, 0);
+    grid->addWidget(startY_, 1, 1);
+    grid->addWidget(startYaw_, 1, 2);
+    robot_->body()->addWidget(start_);
+    for (QDoubleSpinBox* box : {startX_, startY_, startYaw_})
+        connect(box, &QDoubleSpinBox::editingFinished, this, &VisitPanel::takeStart);
+    column()->addWidget(robot_);
+}
+
+void VisitPanel::makePlanCard(const CommandSet& commands) {
+    auto* plan = new Card(tr("Plan"), this);
+    planHint_ = makeText({}, TextRole::Muted, plan);
+    planHint_->setObjectName(QStringLiteral("visit.planHint"));
+    planFields_ = new FieldList(plan);
+    plan->body()->addWidget(planHint_);
+    plan->body()->addWidget(planFields_);
+    auto* button = commands.makeButton(QStringLiteral("visit.plan"), plan);
+    setButtonRole(button, ButtonRole::Primary);
+    plan->body()->addWidget(button);
+    plan->body()->addWidget(commands.makeButton(QStringLiteral("visit.grid"), plan));
+    column()->addWidget(plan);
+}
+
+void VisitPanel::makeDriveCard(const CommandSet& commands) {
+    drive_ = new Card(tr("Drive"), this);
+    runner_ = new StatusChip(drive_);
+    drive_->addHeaderWidget(runner_);
+    progress_ = new QProgressBar(drive_);
+    progress_->setObjectName(QStringLiteral("visit.progress"));
+    drive_->body()->addWidget(progress_);
+    auto* buttons = new QGridLayout;
+    auto* start = commands.makeButton(QStringLiteral("visit.start"), drive_);
+    setButtonRole(start, ButtonRole::Primary);
+    buttons->addWidget(start, 0, 0, 1, 2);
+    buttons->addWidget(commands.makeButton(QStringLiteral("visit.pause"), drive_), 1, 0, 1, 2);
+    buttons->addWidget(commands.makeButton(QStringLiteral("visit.skip"), drive_), 2, 0);
+    buttons->addWidget(commands.makeButton(QStringLiteral("visit.retry"), drive_), 2, 1);
+    drive_->body()->addLayout(buttons);
+    list_ = new QTreeWidget(drive_);
+    list_->setObjectName(QStringLiteral("visit.list"));
+    list_->setHeaderLabels({tr("Waypoint"), tr("For"), tr("State")});
+    list_->setRootIsDecorated(false);
+    list_->setUniformRowHeights(true);
+    list_->setMinimumHeight(140);
+    list_->setFrameShape(QFrame::NoFrame);
+    list_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    drive_->body()->addWidget(list_);
+    column()->addWidget(drive_);
+    connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
+        if (item == nullptr || filling_) return;
+        controller_.selectCandidate(item->data(0, Qt::UserRole).toString());
+    });
+}
+
+void VisitPanel::refresh() {
+    refreshRobot();
+    refreshPlan();
+    refreshVisits();
+}
+
+void VisitPanel::refreshRobot() {
+    const VisitDriver& visits = controller_.visits();
+    const auto& state = visits.robotState();
+    start_->setVisible(!visits.hasRobot());
+    for (QWidget* button : connectButtons_)
+        button->setVisible(!visits.hasRobot() && (button->objectName() != QStringLiteral("button.robot.builtin") ||
+                                                  controller_.isOnBuiltinTank()));
+    if (!visits.hasRobot()) {
+        link_->setStatus(StatusKind::ToDo, tr("none"));
+        robotFields_->setFields({{tr("Now"), tr("Connect a robot to drive the plan; a plan can be made without.")}});
+        if (const auto start = controller_.robotStart(); start && !startX_->hasFocus() && !startY_->hasFocus()) {
+            startX_->setValue(start->x_m);
+            startY_->setValue(start->y_m);
+            startYaw_->setValue(degreesFromRadians(start->yaw_rad));
+        }
+        return;
+    }
+    const bool connected = state && state->link == LinkState::Connected;
+    link_->setStatus(connected ? StatusKind::Clear : StatusKind::Attention,
+                     state ? QString::fromStdString(toString(state->link)) : tr("connecting"));
+    std::vector<std::pair<QString, QString>> fields{{tr("Robot"), visits.robotName()}};
+    if (state && state->pose_map) {
+        const double age_s = std::max(0.0, visits.now_s() - state->poseMeasured_s);
+        fields.emplace_back(tr("Position"), poseText(*state->pose_map));
+        fields.emplace_back(tr("Measured"), tr("%1 s ago").arg(QString::number(age_s, 'f', 1)));
+    } else {
+        fields.emplace_back(tr("Position"), tr("not known"));
+    }
+    robotFields_->setFields(fields);
+}
+
+void VisitPanel::refreshPlan() {
+    const InspectionState& state = controller_.state();
+    planHint_->setVisible(!state.plan);
+    planFields_->setVisible(state.plan.has_value());
+    const bool hasCandidates = state.detection && state.detection->candidates;
+    if (!state.plan) {
+        planHint_->setText(!hasCandidates ? tr("There are no candidates to visit yet: find them in step 3.")
+                           : state.detection->candidates->candidates.empty()
+                               ? tr("No candidate is above the threshold, so there is nothing to visit.")
+                               : tr("A pose to photograph each candidate from, in the order of the shortest drive."));
+        return;
+    }
+    const auto reachable =
+        std::ranges::count_if(state.plan->waypoints, [](const Waypoint& w) { return w.pose_map.has_value(); });
+    planFields_->setFields(
+        {{tr("Waypoints"), tr("%1 to visit").arg(reachable)},
+         {tr("Without one"), QString::number(static_cast<int>(state.plan->waypoints.size()) - reachable)},
+         {tr("Route"), tr("%1 m").arg(QString::number(state.plan->length_m, 'f', 1))}});
+}
+
+void VisitPanel::refreshVisits() {
+    const InspectionState& state = controller_.state();
+    drive_->setVisible(state.plan.has_value());
+    if (!state.plan) {
+        list_->clear();
+        return;
+    }
+    const StateText running = runnerText(controller_.visits().runnerState());
+    runner_->setStatus(running.kind, running.word);
+    const auto over = std::ranges::count_if(state.visits, [](const Visit& visit) {
+        return visit.state == VisitState::Done || visit.state == VisitState::Skipped ||
+               visit.state == VisitState::Failed;
+    });
+    progress_->setRange(0, std::max<int>(1, static_cast<int>(state.visits.size())));
+    progress_->setValue(static_cast<int>(over));
+    progress_->setFormat(tr("%1 of %2 visits over, %n photos", nullptr, static_cast<int>(state.photos.size()))
+                             .arg(over)
+                             .arg(state.visits.size()));
+    filling_ = true;
+    const auto rows = static_cast<int>(state.plan->waypoints.size());
+    while (list_->topLevelItemCount() > rows)
+        delete list_->takeTopLevelItem(list_->topLevelItemCount() - 1);
+    while (list_->topLevelItemCount() < rows)
+        list_->addTopLevelItem(new QTreeWidgetItem);
+    const Theme theme = currentTheme();
+    for (int i = 0; i < rows; ++i) {
+        const Waypoint& waypoint = state.plan->waypoints[static_cast<std::size_t>(i)];
+        const Visit* visit = visitOf(state, waypoint.id);
+        const StateText text =
+            !waypoint.pose_map ? StateText{StatusKind::NotObserved, QString::fromStdString(toString(waypoint.status))}
+            : visit            ? stateText(*visit)
+                               : StateText{StatusKind::ToDo, tr("to be visited")};
+        QTreeWidgetItem* item = list_->topLevelItem(i);
+        item->setText(0, QString::fromStdString(waypoint.id));
+        item->setText(1, joined(waypoint.candidateIds));
+        item->setText(2, text.word);
+        item->setForeground(2, statusColour(theme, text.kind));
+        item->setToolTip(2, visit ? QString::fromStdString(visit->reason) : QString());
+        item->setData(
+            0, Qt::UserRole,
+            waypoint.candidateIds.empty() ? QString() : QString::fromStdString(waypoint.candidateIds.front()));
+    }
+    filling_ = false;
+    selectRow();
+}
+
+void VisitPanel::selectRow() {
+    filling_ = true;
+    QTreeWidgetItem* chosen = nullptr;
+    for (int i = 0; i < list_->topLevelItemCount(); ++i)
+        if (list_->topLevelItem(i)->text(1).split(QStringLiteral(", ")).contains(controller_.selectedCandidate()))
+            chosen = list_->topLevelItem(i);
+    list_->setCurrentItem(chosen);
+    filling_ = false;
+}
+
+void VisitPanel::takeStart() {
+    controller_.setRobotStart({startX_->value(), startY_->value(), radiansFromDegrees(startYaw_->value())});
+}
+
+}  // namespace fodscope

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QTimer>
+
+#include "ui/panels/PanelParts.h"
+
+class QDoubleSpinBox;
+class QProgressBar;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace fodscope {
+
+class Card;
+class CommandSet;
+class InspectionController;
+class StatusChip;
+
+/// Step 4: the robot, the plan, and the drive through it.
+class VisitPanel : public PanelColumn {
+    Q_OBJECT
+
+  public:
+    VisitPanel(InspectionController& controller, const CommandSet& commands, QWidget* parent = nullptr);
+
+  private:
+    void makeRobotCard(const CommandSet& commands);
+    void makePlanCard(const CommandSet& commands);
+    void makeDriveCard(const CommandSet& commands);
+    void refresh();
+    void refreshRobot();
+    void refreshPlan();
+    void refreshVisits();
+    void selectRow();
+    void takeStart();
+
+    InspectionController& controller_;
+    Card* robot_ = nullptr;
+    StatusChip* link_ = nullptr;
+    FieldList* robotFields_ = nullptr;
+    QWidget* start_ = nullptr;
+    QDoubleSpinBox* startX_ = nullptr;
+    QDoubleSpinBox* startY_ = nullptr;
+    QDoubleSpinBox* startYaw_ = nullptr;
+    std::vector<QWidget*> connectButtons_;
+    QLabel* planHint_ = nullptr;
+    FieldList* planFields_ = nullptr;
+    Card* drive_ = nullptr;
+    StatusChip* runner_ = nullptr;
+    QProgressBar* progress_ = nullptr;
+    QTreeWidget* list_ = nullptr;
+    bool filling_ = false;
+    QTimer ageTimer_;
+};
+
+}  // namespace fodscope
