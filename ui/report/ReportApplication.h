@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <QtGlobal>
+#include <QByteArray>
+#include <array>
 #include <memory>
 
 QT_BEGIN_NAMESPACE
@@ -21,6 +22,10 @@ class ReportApplication {
     ReportApplication& operator=(const ReportApplication&) = delete;
 
   private:
+    // A QGuiApplication keeps references to its arguments for as long as it lives.
+    std::array<QByteArray, 3> words_{"fodscope", "-platform", "offscreen"};
+    std::array<char*, 4> arguments_{};
+    int argumentCount_ = 3;
     std::unique_ptr<QGuiApplication> application_;
 };
 

@@ -16,6 +16,8 @@ QFont sized(const char* family, double points, QFont::Weight weight) {
     font.setWeight(weight);
     // Line breaks must not depend on the pixels of a screen.
     font.setHintingPreference(QFont::PreferNoHinting);
+    // Any spacing turns ligatures off: a search for "findings" must not miss the ligature of f and i.
+    font.setLetterSpacing(QFont::AbsoluteSpacing, 0.1);
     return font;
 }
 

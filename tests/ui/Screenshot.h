@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QDir>
+#include <QPixmap>
+#include <QWidget>
+
+namespace fodscope {
+
+/// Saves what a widget looks like into the folder that FODSCOPE_SCREENSHOTS names, if it names one.
+inline void saveScreenshot(QWidget& widget, const QString& name) {
+    const QString folder = qEnvironmentVariable("FODSCOPE_SCREENSHOTS");
+    if (!folder.isEmpty()) widget.grab().save(QDir(folder).filePath(name + QStringLiteral(".png")));
+}
+
+}  // namespace fodscope
