@@ -30,7 +30,7 @@ Transform transformOf(const json& value, const std::string& subject) {
 CandidatesFile parsed(const json& root, const std::string& subject) {
     CandidatesFile file;
     file.T_reference_from_map = transformOf(root.at("T_reference_from_map"), subject);
-    file.threshold = root.at("settings").at("threshold").get<double>();
+    file.threshold = root.at("settings").at("candidates").at("threshold").get<double>();
     for (const json& entry : root.at("candidates")) {
         PlanTarget target;
         target.candidateId = entry.at("id").get<std::string>();

@@ -21,6 +21,7 @@ void addCommands(CLI::App& program, fodscope::cli::Run& run) {
     addPlanCommand(program, run);
     addSimulateCommand(program, run);
     addInspectCommand(program, run);
+    addReportCommand(program, run);
     addVerifyCommand(program, run);
     addParamsCommand(program, run);
 }

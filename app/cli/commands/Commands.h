@@ -11,6 +11,7 @@ void addDetectCommand(CLI::App& program, Run& run);
 void addPlanCommand(CLI::App& program, Run& run);
 void addSimulateCommand(CLI::App& program, Run& run);
 void addInspectCommand(CLI::App& program, Run& run);
+void addReportCommand(CLI::App& program, Run& run);
 void addVerifyCommand(CLI::App& program, Run& run);
 void addParamsCommand(CLI::App& program, Run& run);
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <QString>
+
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <memory>
 #include <ostream>
 
@@ -18,7 +21,13 @@ struct Options {
     std::string out;
 };
 
+/// Qt remarks on the desktop that is not there, which concerns nobody who issues a report from a command line.
+void keepQtQuiet(QtMsgType type, const QMessageLogContext&, const QString& message) {
+    if (type == QtCriticalMsg || type == QtFatalMsg) std::fprintf(stderr, "%s\n", message.toUtf8().constData());
+}
+
 void execute(const Options& options, Context& context) {
+    qInstallMessageHandler(keepQtQuiet);
     const std::unique_ptr<SessionFile> session = SessionFile::open(options.session);
     context.progress.report("reading the session", 0.0);
     Inspection inspection(session->load(), *session);
