@@ -49,18 +49,18 @@ QImage contrastStretched(const QImage& photo) {
     const double median = std::clamp((quantile(counts, 0.5) - low) / static_cast<double>(high - low), 0.02, 0.98);
     const double gamma = std::clamp(std::log(kMiddle) / std::log(median), 0.4, 2.0);
 
-    std::array<int, 256> table{};
+    std::array<double, 256> gains{};
     for (int value = 0; value < 256; ++value) {
         const double unit = std::clamp((value - low) / static_cast<double>(high - low), 0.0, 1.0);
-        table[static_cast<std::size_t>(value)] = static_cast<int>(std::lround(255.0 * std::pow(unit, gamma)));
+        gains[static_cast<std::size_t>(value)] = 255.0 * std::pow(unit, gamma) / std::max(1, value);
     }
+    const auto scaled = [](int channel, double gain) { return std::min(255, static_cast<int>(channel * gain + 0.5)); };
     for (int row = 0; row < stretched.height(); ++row) {
         auto* line = reinterpret_cast<QRgb*>(stretched.scanLine(row));
         for (int column = 0; column < stretched.width(); ++column) {
             const QRgb pixel = line[column];
-            line[column] =
-                qRgb(table[static_cast<std::size_t>(qRed(pixel))], table[static_cast<std::size_t>(qGreen(pixel))],
-                     table[static_cast<std::size_t>(qBlue(pixel))]);
+            const double gain = gains[static_cast<std::size_t>(qGray(pixel))];
+            line[column] = qRgb(scaled(qRed(pixel), gain), scaled(qGreen(pixel), gain), scaled(qBlue(pixel), gain));
         }
     }
     return stretched;

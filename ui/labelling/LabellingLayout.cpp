@@ -45,6 +45,7 @@ LabellingLayout::LabellingLayout(QWidget* view) {
     makeTools();
     toast = new Toast(canvas);
     toast->setBottomMargin(metrics::kPanelMargin_px);
+    toast->setDuration(4000);
     thumbnails = new ThumbnailStrip(view);
 
     auto* column = new QVBoxLayout(view);
@@ -69,6 +70,9 @@ QWidget* LabellingLayout::makeHeader(QWidget* view) {
     detail->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     state = new StatusChip(header);
     state->setObjectName(QStringLiteral("photoState"));
+    labeller = new QLabel(header);
+    labeller->setObjectName(QStringLiteral("labeller"));
+    setTextRole(labeller, TextRole::Muted);
     progress = new QLabel(header);
     progress->setObjectName(QStringLiteral("labellingProgress"));
     next = new QPushButton(QObject::tr("Next undecided  N"), header);
@@ -82,6 +86,7 @@ QWidget* LabellingLayout::makeHeader(QWidget* view) {
     row->addWidget(title);
     row->addWidget(state);
     row->addWidget(detail, 1);
+    row->addWidget(labeller);
     row->addWidget(progress);
     row->addWidget(next);
     return header;
@@ -98,8 +103,11 @@ void LabellingLayout::makeTools() {
     contrast->setCheckable(true);
     outline->setText(QObject::tr("Outline  O"));
     contrast->setText(QObject::tr("Contrast  C"));
+    // Wide enough for the longest text, so that the row does not jump while zooming.
+    zoom->setMinimumWidth(zoom->fontMetrics().horizontalAdvance(QStringLiteral("1600 %  Z")) + 44);
+    setSurface(tools, SurfaceRole::Surface1);
     auto* row = new QHBoxLayout(tools);
-    row->setContentsMargins(0, 0, 0, 0);
+    row->setContentsMargins(metrics::kStep_px, metrics::kStep_px, metrics::kStep_px, metrics::kStep_px);
     row->setSpacing(metrics::kStep_px);
     row->addWidget(outline);
     row->addWidget(contrast);
@@ -117,7 +125,7 @@ QWidget* LabellingLayout::makeDecisionPanel(QWidget* view) {
     setSurface(panel, SurfaceRole::Surface1);
     prompt = new LabellerPrompt(panel);
     keyRow = new QWidget(panel);
-    new FlowLayout(keyRow, 2 * metrics::kStep_px);
+    new FlowLayout(keyRow, 6);
     addAnother = new QPushButton(QObject::tr("Add another  A"), panel);
     addAnother->setObjectName(QStringLiteral("addAnother"));
     addAnother->setIcon(icon(Icon::Plus));
@@ -137,27 +145,23 @@ QWidget* LabellingLayout::makeDecisionPanel(QWidget* view) {
     comment->setPlaceholderText(QObject::tr("Comment  M"));
     comment->setMaxLength(2000);
     comment->setFocusPolicy(Qt::ClickFocus);
-    comment->setMinimumWidth(160);
+    comment->setMinimumWidth(140);
     comment->setToolTip(QObject::tr("Kept with the decision. Enter goes back to the photo."));
     undo = new QPushButton(QObject::tr("Undo  Ctrl+Z"), panel);
     undo->setObjectName(QStringLiteral("undoDecision"));
     undo->setIcon(icon(Icon::Undo));
     undo->setFocusPolicy(Qt::NoFocus);
     setButtonRole(undo, ButtonRole::Normal);
-    labeller = new QLabel(panel);
-    labeller->setObjectName(QStringLiteral("labeller"));
-    setTextRole(labeller, TextRole::Muted);
-
     auto* row = new QHBoxLayout;
     row->setSpacing(2 * metrics::kStep_px);
     row->addWidget(addAnother);
-    row->addWidget(draftText, 2);
+    row->addWidget(draftText, 3);
     row->addWidget(finish);
     row->addWidget(comment, 3);
     row->addWidget(undo);
-    row->addWidget(labeller);
     auto* column = new QVBoxLayout(panel);
-    column->setContentsMargins(metrics::kPanelMargin_px, 10, metrics::kPanelMargin_px, 10);
+    column->setContentsMargins(metrics::kPanelMargin_px, 2 * metrics::kStep_px, metrics::kPanelMargin_px,
+                               2 * metrics::kStep_px);
     column->setSpacing(2 * metrics::kStep_px);
     column->addWidget(prompt);
     column->addWidget(keyRow);
@@ -206,15 +210,16 @@ void LabellingLayout::showKeys(const std::vector<PhotoLabel>& given) {
     }
 }
 
-void LabellingLayout::showDraft(const LabelDraft& draft, bool addingAnother) {
+void LabellingLayout::showDraft(const LabelDraft& draft, bool addingAnother, const QString& done) {
     QString text;
     if (draft.openBox) {
-        text = QObject::tr("Press the label of the box");
+        text = QObject::tr("Press its label");
     } else if (!draft.labels.empty()) {
-        text = QObject::tr("On this photo: %1").arg(labelsInWords(draft.labels));
+        text = QObject::tr("So far: %1").arg(labelsInWords(draft.labels));
     } else if (addingAnother) {
-        text = QObject::tr("Press a label for each thing, then Enter");
+        text = QObject::tr("A label for each thing, then Enter");
     }
+    if (text.isEmpty()) text = done;
     draftText->setText(text);
     draftText->setToolTip(text);
     finish->setVisible(!draft.labels.empty());

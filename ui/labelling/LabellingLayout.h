@@ -26,7 +26,8 @@ struct LabellingLayout {
     void makeKeys(const LabelSet& labelSet, const LabelTaken& taken);
     void showHeader(const LabelPhoto& photo, PhotoState state, const Decision* decision);
     void showKeys(const std::vector<PhotoLabel>& given);
-    void showDraft(const LabelDraft& draft, bool addingAnother);
+    /// @param done what was decided last, shown while nothing is begun
+    void showDraft(const LabelDraft& draft, bool addingAnother, const QString& done);
     void showTools();
     void showLabeller(const QString& name);
 

@@ -42,6 +42,8 @@ struct LabellingView::Parts {
     /// The decisions when an undo was asked for.
     std::optional<std::vector<Decision>> beforeUndo;
     bool pictureShown = false;
+    /// What was kept last, for the line below the keys.
+    QString done;
     std::unique_ptr<LabellingLayout> layout;
 
     const LabelPhoto* photo() const { return current < 0 ? nullptr : &photos[static_cast<std::size_t>(current)]; }
@@ -145,7 +147,7 @@ void LabellingView::Parts::showDraft() {
     const Decision* counts = decision();
     layout->canvas->setBoxes(counts ? counts->labels : std::vector<PhotoLabel>{}, draft);
     layout->showKeys(draft.isEmpty() ? (counts ? counts->labels : std::vector<PhotoLabel>{}) : draft.labels);
-    layout->showDraft(draft, layout->addAnother->isChecked());
+    layout->showDraft(draft, layout->addAnother->isChecked(), done);
     layout->undo->setEnabled(hasDecisions(decisions, labeller));
 }
 
@@ -180,7 +182,6 @@ LabellingView::LabellingView(QWidget* parent) : QWidget(parent), parts_(std::mak
     connect(layout.addAnother, &QPushButton::clicked, this, [this] { parts_->showDraft(); });
     connect(layout.thumbnails, &ThumbnailStrip::clicked, this, &LabellingView::goTo);
     connect(layout.prompt, &LabellerPrompt::named, this, &LabellingView::takeName);
-    connect(layout.toast, &Toast::actionTriggered, this, &LabellingView::requestUndo);
     layout.comment->installEventFilter(this);
     parts_->showNothing();
     setLabeller({});
@@ -244,9 +245,8 @@ void LabellingView::finishSaving(std::size_t decisionsBefore) {
     parts_->draft = {};
     parts_->layout->addAnother->setChecked(false);
     const auto next = nextUndecided(parts_->states, parts_->current);
-    QString message = tr("%1: %2").arg(photo, labelsInWords(act->labels));
-    if (!next) message += tr(" · all photos are decided");
-    parts_->layout->toast->showMessage(StatusKind::Clear, message, tr("Undo"));
+    parts_->done = tr("Kept: %1 %2").arg(photo, labelsInWords(act->labels));
+    if (!next) parts_->layout->toast->showMessage(StatusKind::Clear, tr("All photos are decided."));
     if (parts_->goOnAfterSaving && next) goTo(*next);
 }
 
@@ -254,6 +254,7 @@ void LabellingView::finishUndo() {
     const auto undone = takenBack(*parts_->beforeUndo, parts_->decisions, parts_->labeller);
     if (!undone) return;
     parts_->beforeUndo.reset();
+    parts_->done.clear();
     // What was begun on the photo that is left stays; what the undone decision said must not come back by itself.
     parts_->unfinished.erase(undone->photoId);
     const int index = parts_->indexOf(undone->photoId);
@@ -536,6 +537,12 @@ bool LabellingView::takeBack() {
     parts_->draft = dropLast(parts_->draft);
     if (parts_->photo()) parts_->showDraft();
     return true;
+}
+
+void LabellingView::resizeEvent(QResizeEvent* event) {
+    constexpr int kLow_px = 660;
+    QWidget::resizeEvent(event);
+    parts_->layout->thumbnails->setCompact(height() < kLow_px);
 }
 
 void LabellingView::showEvent(QShowEvent* event) {

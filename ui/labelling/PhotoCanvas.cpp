@@ -170,7 +170,8 @@ void PhotoCanvas::paintOutlines(QPainter& painter) const {
             polygon << viewport_.toWidget(corner);
         const QString id = QString::fromStdString(outline.candidateId);
         const QColor colour = candidateColour(id);
-        strokeTwice(painter, QPen(colour, 1.5, Qt::DashLine), polygon);
+        // Dark hues of the cycle would sink into a dark tank.
+        strokeTwice(painter, QPen(mixed(colour, Qt::white, 0.3), 2.0, Qt::DashLine), polygon);
         paintTag(painter, polygon.boundingRect().topLeft(), id, colour);
     }
 }

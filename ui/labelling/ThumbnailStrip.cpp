@@ -19,9 +19,9 @@ namespace fodscope {
 
 namespace {
 
-constexpr int kTileWidth_px = 128;
-constexpr int kPictureHeight_px = 72;
-constexpr int kTileHeight_px = 94;
+constexpr QSize kPicture_px(128, 72);
+constexpr QSize kCompactPicture_px(112, 46);
+constexpr int kCaptionHeight_px = 20;
 constexpr int kGap_px = 8;
 
 }  // namespace
@@ -48,8 +48,26 @@ ThumbnailStrip::ThumbnailStrip(QWidget* parent) : QWidget(parent), decoding_(new
     connect(decoding_, &QTimer::timeout, this, &ThumbnailStrip::decodeOne);
 }
 
+QSize ThumbnailStrip::pictureSize() const {
+    return compact_ ? kCompactPicture_px : kPicture_px;
+}
+
+QSize ThumbnailStrip::tileSize() const {
+    return pictureSize() + QSize(0, kCaptionHeight_px);
+}
+
 QSize ThumbnailStrip::sizeHint() const {
-    return {4 * (kTileWidth_px + kGap_px), kTileHeight_px + 2 * kGap_px};
+    return {4 * (tileSize().width() + kGap_px), tileSize().height() + 2 * kGap_px};
+}
+
+void ThumbnailStrip::setCompact(bool compact) {
+    if (compact == compact_) return;
+    compact_ = compact;
+    setFixedHeight(sizeHint().height());
+    for (Tile& tile : tiles_)
+        tile.decoded = false;
+    decoding_->start();
+    if (current_ >= 0) setCurrent(current_);
 }
 
 void ThumbnailStrip::setPhotos(const std::vector<LabelPhoto>* photos) {
@@ -82,16 +100,16 @@ void ThumbnailStrip::setCurrent(int index) {
     current_ = index;
     const QRect tile = tileRect(index);
     // The neighbours stay in sight, so that one sees what comes next.
-    if (tile.left() < kTileWidth_px) {
-        scrollTo(scroll_ + tile.left() - kTileWidth_px);
-    } else if (tile.right() > width() - kTileWidth_px) {
-        scrollTo(scroll_ + tile.right() - width() + kTileWidth_px);
+    if (tile.left() < tileSize().width()) {
+        scrollTo(scroll_ + tile.left() - tileSize().width());
+    } else if (tile.right() > width() - tileSize().width()) {
+        scrollTo(scroll_ + tile.right() - width() + tileSize().width());
     }
     update();
 }
 
 QRect ThumbnailStrip::tileRect(int index) const {
-    return {kGap_px + index * (kTileWidth_px + kGap_px) - scroll_, kGap_px, kTileWidth_px, kTileHeight_px};
+    return {QPoint(kGap_px + index * (tileSize().width() + kGap_px) - scroll_, kGap_px), tileSize()};
 }
 
 int ThumbnailStrip::tileAt(const QPoint& point) const {
@@ -102,7 +120,7 @@ int ThumbnailStrip::tileAt(const QPoint& point) const {
 }
 
 void ThumbnailStrip::scrollTo(int left) {
-    const int whole = kGap_px + count() * (kTileWidth_px + kGap_px);
+    const int whole = kGap_px + count() * (tileSize().width() + kGap_px);
     scroll_ = std::clamp(left, 0, std::max(0, whole - width()));
     update();
 }
@@ -124,7 +142,7 @@ void ThumbnailStrip::decodeOne() {
     }
     Tile& tile = tiles_[static_cast<std::size_t>(next)];
     const double ratio = devicePixelRatioF();
-    const QSize size = QSize(kTileWidth_px, kPictureHeight_px) * ratio;
+    const QSize size = pictureSize() * ratio;
     tile.picture = QPixmap::fromImage(decodeThumbnail(tile.bytes, size));
     tile.picture.setDevicePixelRatio(ratio);
     tile.decoded = true;
@@ -145,7 +163,7 @@ void ThumbnailStrip::paintEvent(QPaintEvent*) {
 void ThumbnailStrip::paintTile(QPainter& painter, int index) {
     const Theme theme = currentTheme();
     const QRectF tile = tileRect(index);
-    const QRectF picture(tile.topLeft(), QSizeF(kTileWidth_px, kPictureHeight_px));
+    const QRectF picture(tile.topLeft(), QSizeF(pictureSize()));
     const Tile& content = tiles_[static_cast<std::size_t>(index)];
     const LabelPhoto& photo = (*photos_)[static_cast<std::size_t>(index)];
     const PhotoState state = states_[static_cast<std::size_t>(index)];

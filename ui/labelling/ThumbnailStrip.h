@@ -26,6 +26,8 @@ class ThumbnailStrip : public QWidget {
     void setPhotos(const std::vector<LabelPhoto>* photos);
     void setStates(std::vector<PhotoState> states);
     void setCurrent(int index);
+    /// Smaller tiles where the photo needs the height.
+    void setCompact(bool compact);
 
     /// @return the tile's index at a point, or −1
     int tileAt(const QPoint& point) const;
@@ -47,6 +49,8 @@ class ThumbnailStrip : public QWidget {
         QPixmap picture;
         bool decoded = false;
     };
+    QSize pictureSize() const;
+    QSize tileSize() const;
     int count() const { return static_cast<int>(tiles_.size()); }
     QRect tileRect(int index) const;
     void scrollTo(int left);
@@ -58,6 +62,7 @@ class ThumbnailStrip : public QWidget {
     std::vector<PhotoState> states_;
     int current_ = -1;
     int scroll_ = 0;
+    bool compact_ = false;
     QTimer* decoding_ = nullptr;
 };
 

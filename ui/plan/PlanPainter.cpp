@@ -59,6 +59,8 @@ void paintGrid(QPainter& painter, const QRectF& area, const CostMap& map, const 
     cellsToScreen.scale(images.cellsPerPixel, images.cellsPerPixel);
     painter.save();
     painter.setTransform(cellsToScreen, true);
+    // Cells have edges: smoothing would show costs that nobody computed.
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
     painter.drawImage(0, 0, images.cells);
     painter.restore();
     const double scale = layerScale(painter);

@@ -70,7 +70,8 @@ Judged judge(const InspectionState& state, const Photo& photo, const std::string
     return judged;
 }
 
-void paintMark(QPainter& painter, const EvidenceMark& mark, const QPolygonF& polygon) {
+/// @param top upper edge of the photo: words stay on it
+void paintMark(QPainter& painter, const EvidenceMark& mark, const QPolygonF& polygon, double top) {
     const QColor colour = mark.isBox ? colours().finding : candidateColour(mark.text);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(Qt::white, 9.0));
@@ -81,9 +82,9 @@ void paintMark(QPainter& painter, const EvidenceMark& mark, const QPolygonF& pol
     const QFontMetricsF metrics(painter.font());
     const QRectF box = polygon.boundingRect();
     const QSizeF size(metrics.horizontalAdvance(mark.text) + 16.0, metrics.height() + 4.0);
-    // Boxes carry their word below, outlines their id above, so that the two do not cover each other.
-    const QPointF corner =
-        mark.isBox ? box.bottomLeft() + QPointF(0.0, 4.0) : box.topLeft() - QPointF(0.0, size.height() + 4.0);
+    // Words of boxes stand at the left corner, ids of outlines at the right one, so that the two keep apart.
+    const double left = mark.isBox ? box.left() : box.right() - size.width();
+    const QPointF corner(left, std::max(box.top() - size.height() - 4.0, top));
     painter.fillRect(QRectF(corner, size), QColor(255, 255, 255, 225));
     painter.setPen(mark.isBox ? colours().finding : colours().text);
     painter.drawText(QRectF(corner, size), Qt::AlignCenter, mark.text);
@@ -147,7 +148,7 @@ QRectF paintEvidence(QPainter& painter, const QRectF& area, const EvidencePhoto&
             polygon << place.topLeft() + QPointF(corner.x() * place.width() / size_px.width(),
                                                  corner.y() * place.height() / size_px.height());
         }
-        paintMark(painter, mark, polygon);
+        paintMark(painter, mark, polygon, place.top());
     }
     painter.restore();
     return place;

@@ -14,8 +14,9 @@ namespace fodscope::report {
 namespace {
 
 constexpr double kGap = 30.0;
-/// Two cards and the gap between them fill a page.
-constexpr double kCardHeight = 0.5 * (kContentHeight - 2.0 * kGap) - 1.0;
+/// The heading of the findings and two cards fill a page.
+constexpr double kHeadingHeight = 90.0;
+constexpr double kCardHeight = 0.5 * (kContentHeight - kHeadingHeight - 4.0 * kGap);
 constexpr double kPhotoWidth = 1130.0;
 constexpr double kPhotoHeight = kPhotoWidth * 9.0 / 16.0;
 

@@ -41,12 +41,12 @@ QString marksSvg(const EvidencePhoto& evidence) {
                    .arg(points);
         svg += QStringLiteral("<polygon points=\"%1\" fill=\"none\" stroke=\"%2\" stroke-width=\"4\"%3/>\n")
                    .arg(points, colour, mark.isBox ? QString() : QStringLiteral(" stroke-dasharray=\"16 9\""));
-        const double baseline = mark.isBox ? box.bottom() + 30.0 : box.top() - 12.0;
+        const double left = mark.isBox ? box.left() : box.right() - 76.0;
         svg += QStringLiteral(
                    "<text x=\"%1\" y=\"%2\" font-size=\"26\" font-family=\"sans-serif\" fill=\"#000000\" "
                    "stroke=\"#ffffff\" stroke-width=\"5\" paint-order=\"stroke\">%3</text>\n")
-                   .arg(box.left(), 0, 'f', 1)
-                   .arg(std::max(26.0, baseline), 0, 'f', 1)
+                   .arg(left, 0, 'f', 1)
+                   .arg(std::max(26.0, box.top() - 12.0), 0, 'f', 1)
                    .arg(escaped(mark.text));
     }
     return svg;

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ui/report/ReportPreview.h"
 
-#include <QScrollBar>
-#include <QVBoxLayout>
-#include <algorithm>
+#include <QStackedLayout>
 
 #include "ui/report/PageStack.h"
 #include "ui/report/ReportDocument.h"
@@ -15,6 +13,7 @@ namespace fodscope {
 struct ReportPreview::Parts {
     report::PageStack* pages = nullptr;
     EmptyState* empty = nullptr;
+    QStackedLayout* stack = nullptr;
 };
 
 ReportPreview::ReportPreview(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>()) {
@@ -23,10 +22,9 @@ ReportPreview::ReportPreview(QWidget* parent) : QWidget(parent), parts_(std::mak
     parts_->pages = new report::PageStack(this);
     parts_->empty = new EmptyState(this);
     parts_->empty->showEmpty(Icon::Report, tr("The report needs an inspection: open one, or begin a new one."));
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(parts_->pages);
-    column->addWidget(parts_->empty);
+    parts_->stack = new QStackedLayout(this);
+    parts_->stack->addWidget(parts_->pages);
+    parts_->stack->addWidget(parts_->empty);
     clear();
 }
 
@@ -34,14 +32,12 @@ ReportPreview::~ReportPreview() = default;
 
 void ReportPreview::setReport(const InspectionState& state, const std::string& headHash) {
     parts_->pages->setDocument(std::make_shared<report::ReportDocument>(report::reportContent(state, headHash)));
-    parts_->pages->show();
-    parts_->empty->hide();
+    parts_->stack->setCurrentWidget(parts_->pages);
 }
 
 void ReportPreview::clear() {
     parts_->pages->setDocument(nullptr);
-    parts_->pages->hide();
-    parts_->empty->show();
+    parts_->stack->setCurrentWidget(parts_->empty);
 }
 
 int ReportPreview::pageCount() const {

@@ -12,6 +12,9 @@ namespace fodscope::report {
 
 namespace {
 
+/// So that the plan of an ordinary inspection ends the first page.
+constexpr double kPlanHeight = 1040.0;
+
 void append(Flow& flow, Flow more) {
     flow.insert(flow.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
@@ -101,13 +104,13 @@ Flow planSection(const std::shared_ptr<const ReportContent>& content) {
     const bool hasPlan = !planExtent(content->plan).empty;
     if (!hasPlan) return {heading("Plan"), paragraph("There is no map to draw a plan from.")};
     FlowItem drawing;
-    drawing.height = 1180.0;
+    drawing.height = kPlanHeight;
     drawing.spaceBefore = 10.0;
     drawing.paint = [content](QPainter& painter, const QPointF& corner) {
         painter.save();
         painter.translate(corner);
         painter.scale(kUnitsPerScreenPixel, kUnitsPerScreenPixel);
-        const QRectF screen(0, 0, kContentWidth / kUnitsPerScreenPixel, 1180.0 / kUnitsPerScreenPixel);
+        const QRectF screen(0, 0, kContentWidth / kUnitsPerScreenPixel, kPlanHeight / kUnitsPerScreenPixel);
         PlanLook look;
         look.theme = colours();
         look.fontPixels = 10.0;
@@ -135,8 +138,6 @@ Flow findingsSection(const std::shared_ptr<const ReportContent>& content) {
         flow.push_back(paragraph("No candidate was decided to be FOD."));
         return flow;
     }
-    // The heading takes room from the first page of cards, so it stands alone above a full page.
-    flow.front().startsPage = false;
     for (const ReportCandidate& finding : content->model.findings)
         append(flow, findingCard(content, finding));
     return flow;
