@@ -20,7 +20,7 @@ namespace fodscope {
 namespace {
 
 constexpr QSize kPicture_px(128, 72);
-constexpr QSize kCompactPicture_px(112, 46);
+constexpr QSize kCompactPicture_px(124, 48);
 constexpr int kCaptionHeight_px = 20;
 constexpr int kGap_px = 8;
 

@@ -72,9 +72,9 @@ PlanImages planImages(const PlanScene& scene, const Theme& theme) {
     if (!scene.costMap) return images;
     const CostMap& map = *scene.costMap;
     const int longest = std::max(map.grid.width, map.grid.height);
-    images.cellsPerPixel = std::max(1, (longest + kLargestEdge - 1) / kLargestEdge);
-    const QSize size((map.grid.width + images.cellsPerPixel - 1) / images.cellsPerPixel,
-                     (map.grid.height + images.cellsPerPixel - 1) / images.cellsPerPixel);
+    const int edge = std::max(1, (longest + kLargestEdge - 1) / kLargestEdge);
+    images.cellsPerPixel = edge;
+    const QSize size((map.grid.width + edge - 1) / edge, (map.grid.height + edge - 1) / edge);
     images.cells = QImage(size, QImage::Format_ARGB32_Premultiplied);
     images.unknown = QImage(size, QImage::Format_ARGB32_Premultiplied);
     images.unreachable = QImage(size, QImage::Format_ARGB32_Premultiplied);
@@ -85,14 +85,26 @@ PlanImages planImages(const PlanScene& scene, const Theme& theme) {
         auto* unknown = reinterpret_cast<QRgb*>(images.unknown.scanLine(y));
         auto* unreachable = reinterpret_cast<QRgb*>(images.unreachable.scanLine(y));
         for (int x = 0; x < size.width(); ++x) {
-            const CellIndex first{x * images.cellsPerPixel, y * images.cellsPerPixel};
-            const CellIndex index = images.cellsPerPixel == 1 ? first : mostTelling(map, first, images.cellsPerPixel);
+            const CellIndex first{x * edge, y * edge};
+            const CellIndex index = edge == 1 ? first : mostTelling(map, first, edge);
             cells[x] = cellColour(map, index, colours);
             unknown[x] = map.grid.at(index) == Cell::Unknown ? kOpaque : 0U;
             unreachable[x] = isUnreachable(map, index) ? kOpaque : 0U;
         }
     }
     return images;
+}
+
+PlanImages forPrint(const PlanImages& images) {
+    constexpr int kEdge_px = 1600;
+    const int longest = std::max(images.cells.width(), images.cells.height());
+    if (longest == 0 || longest > kEdge_px / 2) return images;
+    const int factor = kEdge_px / longest;
+    const auto enlarged = [factor](const QImage& image) {
+        return image.scaled(image.size() * factor, Qt::IgnoreAspectRatio, Qt::FastTransformation);
+    };
+    return {enlarged(images.cells), enlarged(images.unknown), enlarged(images.unreachable),
+            images.cellsPerPixel / factor};
 }
 
 }  // namespace fodscope

@@ -24,11 +24,14 @@ struct PlanImages {
     QImage unknown;
     /// Opaque where a robot would fit but does not get to.
     QImage unreachable;
-    /// Cells a pixel: grids of more than 4096 cells an edge are drawn coarser.
-    int cellsPerPixel = 1;
+    /// Cells a pixel: grids of more than 4096 cells an edge are drawn coarser, images for print finer.
+    double cellsPerPixel = 1.0;
 };
 
 PlanImages planImages(const PlanScene& scene, const Theme& theme);
+
+/// The same with more pixels a cell: viewers of PDF smooth images, which then shows on the edges of the cells only.
+PlanImages forPrint(const PlanImages& images);
 
 /// Colour of the hatching over what is not observed, or is out of reach.
 QColor hatchColour(const Theme& theme, bool unreachable);

@@ -36,12 +36,13 @@ std::shared_ptr<const ReportContent> reportContent(const InspectionState& state,
     content->model = makeReportModel(state);
     content->headHash = headHash.empty() ? "not recorded" : headHash;
     content->plan = planScene(state);
-    content->planImages = planImages(content->plan, colours());
+    content->planImages = forPrint(planImages(content->plan, colours()));
     return content;
 }
 
 ReportDocument::ReportDocument(std::shared_ptr<const ReportContent> content) : content_(std::move(content)) {
     append(flow_, titleSection(*content_));
+    append(flow_, limitsSection(*content_));
     append(flow_, planSection(content_));
     append(flow_, findingsSection(content_));
     append(flow_, otherCandidatesSection(*content_));

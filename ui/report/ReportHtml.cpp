@@ -153,6 +153,7 @@ QString summary(const ReportContent& content) {
             htmlFields(model.inspection) + QStringLiteral("</div><div>\n") + htmlHeading(3, QObject::tr("Result")) +
             htmlFields(model.counts) + QStringLiteral("</div></div>\n");
     html += htmlHeading(2, QObject::tr("Coverage")) + htmlFields(model.coverage);
+    html += htmlHeading(2, QObject::tr("Limits")) + htmlList(model.limits);
     html += htmlHeading(2, QObject::tr("Plan"));
     if (planExtent(content.plan).empty) return html + htmlParagraph("There is no map to draw a plan from.");
     return html + QStringLiteral("<figure>") +
@@ -163,8 +164,7 @@ QString summary(const ReportContent& content) {
 
 QString grounds(const ReportContent& content) {
     const ReportModel& model = content.model;
-    QString html = htmlHeading(2, QObject::tr("Limits")) + htmlList(model.limits);
-    html += htmlHeading(2, QObject::tr("Method")) + htmlParagraph(model.method);
+    QString html = htmlHeading(2, QObject::tr("Method")) + htmlParagraph(model.method);
     html += htmlHeading(2, QObject::tr("Alignment")) + htmlFields(model.alignment);
     html += htmlHeading(2, QObject::tr("What the inspection rests on")) + htmlFields(model.sources);
     html += htmlHeading(2, QObject::tr("Appendix: parameters")) + htmlFields(model.parameters);

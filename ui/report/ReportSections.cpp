@@ -12,7 +12,7 @@ namespace fodscope::report {
 
 namespace {
 
-/// So that the plan of an ordinary inspection ends the first page.
+/// Plan and first finding share a page.
 constexpr double kPlanHeight = 1040.0;
 
 void append(Flow& flow, Flow more) {
@@ -100,6 +100,12 @@ Flow titleSection(const ReportContent& content) {
     return flow;
 }
 
+Flow limitsSection(const ReportContent& content) {
+    Flow flow{heading("Limits")};
+    append(flow, bullets(content.model.limits));
+    return flow;
+}
+
 Flow planSection(const std::shared_ptr<const ReportContent>& content) {
     const bool hasPlan = !planExtent(content->plan).empty;
     if (!hasPlan) return {heading("Plan"), paragraph("There is no map to draw a plan from.")};
@@ -161,9 +167,7 @@ Flow otherCandidatesSection(const ReportContent& content) {
 
 Flow groundsSection(const ReportContent& content) {
     const ReportModel& model = content.model;
-    Flow flow{heading("Limits")};
-    append(flow, bullets(model.limits));
-    flow.push_back(heading("Method"));
+    Flow flow{heading("Method")};
     flow.push_back(paragraph(model.method));
     flow.push_back(heading("Alignment"));
     append(flow, fieldTable(model.alignment));

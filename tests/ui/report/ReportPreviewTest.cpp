@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <QElapsedTimer>
 #include <QTest>
 
+#include "core/inspection/ReportModel.h"
 #include "tests/fakes/TankInspection.h"
 #include "tests/ui/Screenshot.h"
 #include "ui/report/PageStack.h"
@@ -46,6 +48,13 @@ TEST(ReportSamples, AreWrittenForLookingAt) {
     writeReport(tankInspection({.decided = false}), "", folder + "/sample-draft.pdf");
     writeReport(tankInspection(), "9f86", folder + "/sample.html");
     writeReport(tankInspection({.visited = false}), "", folder + "/sample-early.pdf");
+    const InspectionState many = tankInspection({.candidates = 130});
+    for (const char* name : {"/sample-many.pdf", "/sample-many.html"}) {
+        QElapsedTimer clock;
+        clock.start();
+        writeReport(many, "", folder + name);
+        qInfo("%s: %zu findings, %lld ms", name, makeReportModel(many).findings.size(), clock.elapsed());
+    }
 }
 
 }  // namespace
