@@ -21,7 +21,7 @@ void paintWatermark(QPainter& painter) {
     painter.translate(0.5 * kPageWidth, 0.5 * kPageHeight);
     painter.rotate(-52.0);
     QFont large = font(Face::Title);
-    large.setPixelSize(520);
+    large.setPixelSize(430);
     painter.setFont(large);
     painter.setPen(QColor(0, 0, 0, 16));
     painter.drawText(QRectF(-1600.0, -400.0, 3200.0, 800.0), Qt::AlignCenter, QObject::tr("DRAFT"));
