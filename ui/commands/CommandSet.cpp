@@ -44,9 +44,10 @@ QString toolTipOf(const QAction& action) {
     return key.isEmpty() ? action.toolTip() : QStringLiteral("%1 (%2)").arg(action.toolTip(), key);
 }
 
-void follow(QPushButton& button, const QAction& action) {
+void follow(QPushButton& button, const QAction& action, ButtonRole role) {
     button.setText(action.text());
-    button.setIcon(action.icon());
+    // Icons are drawn in the text's colour, which does not show on the accent.
+    if (role == ButtonRole::Normal) button.setIcon(action.icon());
     button.setEnabled(action.isEnabled());
     button.setToolTip(toolTipOf(action));
     button.setCheckable(action.isCheckable());
@@ -130,13 +131,14 @@ Command* CommandSet::find(const QString& id) const {
     return nullptr;
 }
 
-QPushButton* CommandSet::makeButton(const QString& id, QWidget* parent) const {
+QPushButton* CommandSet::makeButton(const QString& id, QWidget* parent, ButtonRole role) const {
     auto* button = new QPushButton(parent);
     button->setObjectName(QStringLiteral("button.") + id);
     button->setFocusPolicy(Qt::TabFocus);
     Command* command = find(id);
-    follow(*button, *command);
-    connect(command, &QAction::changed, button, [button, command] { follow(*button, *command); });
+    setButtonRole(button, role);
+    follow(*button, *command, role);
+    connect(command, &QAction::changed, button, [button, command, role] { follow(*button, *command, role); });
     connect(button, &QPushButton::clicked, command, [command] { command->trigger(); });
     return button;
 }

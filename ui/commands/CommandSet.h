@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ui/commands/Command.h"
+#include "ui/theme/Theme.h"
 
 class QMenuBar;
 
@@ -24,7 +25,7 @@ class CommandSet : public QObject {
     Command* find(const QString& id) const;
     const std::vector<Command*>& all() const { return commands_; }
     /// A button that does the command, follows its state and shows its key in the tool tip.
-    QPushButton* makeButton(const QString& id, QWidget* parent) const;
+    QPushButton* makeButton(const QString& id, QWidget* parent, ButtonRole role = ButtonRole::Normal) const;
     void fillMenuBar(QMenuBar& menuBar) const;
 
   private:

@@ -115,8 +115,9 @@ bool TogglePauseCommand::isAvailable() const {
 }
 
 SkipVisitCommand::SkipVisitCommand(CommandContext& context)
-    : Command(context, QStringLiteral("visit.skip"), QObject::tr("Skip this visit")) {
+    : Command(context, QStringLiteral("visit.skip"), QObject::tr("Skip")) {
     setPicture(Icon::Skip);
+    setToolTip(QObject::tr("Gives up the visit under way and goes on with the next"));
 }
 
 void SkipVisitCommand::run() {
@@ -128,7 +129,7 @@ bool SkipVisitCommand::isAvailable() const {
 }
 
 RetryVisitCommand::RetryVisitCommand(CommandContext& context)
-    : Command(context, QStringLiteral("visit.retry"), QObject::tr("Drive there again")) {
+    : Command(context, QStringLiteral("visit.retry"), QObject::tr("Visit again")) {
     setPicture(Icon::Retry);
     setToolTip(QObject::tr("Puts the visit of the selected candidate back into the plan"));
 }

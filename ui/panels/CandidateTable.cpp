@@ -29,6 +29,14 @@ QPixmap stateShape(StatusKind kind) {
     return picture;
 }
 
+/// As it is in every state of the row: a tinted swatch would be another candidate's.
+QIcon untinted(const QPixmap& picture) {
+    QIcon same;
+    same.addPixmap(picture, QIcon::Normal);
+    same.addPixmap(picture, QIcon::Selected);
+    return same;
+}
+
 QPixmap swatch(const QString& id) {
     QPixmap picture(10, 10);
     picture.fill(candidateColour(id));
@@ -108,7 +116,7 @@ QVariant CandidateTableModel::stateOf(const Candidate& candidate, int role) cons
     for (const CandidateVerdict& verdict : controller_.verdicts())
         if (verdict.candidateId == candidate.id) text = candidateState(controller_.state(), verdict);
     if (role == Qt::DisplayRole) return text.word;
-    if (role == Qt::DecorationRole) return stateShape(text.kind);
+    if (role == Qt::DecorationRole) return untinted(stateShape(text.kind));
     return {};
 }
 
@@ -120,7 +128,7 @@ QVariant CandidateTableModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::TextAlignmentRole)
         return static_cast<int>(Qt::AlignVCenter | (column == Id || column == State ? Qt::AlignLeft : Qt::AlignRight));
     if (column == State) return stateOf(candidate, role);
-    if (role == Qt::DecorationRole && column == Id) return swatch(QString::fromStdString(candidate.id));
+    if (role == Qt::DecorationRole && column == Id) return untinted(swatch(QString::fromStdString(candidate.id)));
     if (role == Qt::DisplayRole) return textOf(candidate, column);
     return {};
 }

@@ -30,14 +30,15 @@ CandidatesPanel::CandidatesPanel(InspectionController& controller, const Command
     setObjectName(QStringLiteral("panel.candidates"));
     hint_ = makeText(tr("There is nothing to threshold yet: align a map with a reference first, in step 2."),
                      TextRole::Muted, this);
-    column()->addWidget(hint_);
+    addBare(hint_);
     body_ = new QWidget(this);
     auto* body = new QVBoxLayout(body_);
     body->setContentsMargins(0, 0, 0, 0);
-    body->setSpacing(6);
+    body->setSpacing(0);
     column()->addWidget(body_);
 
     auto* numbers = new QHBoxLayout;
+    numbers->setContentsMargins(metrics::kPanelMargin_px, metrics::kPanelMargin_px, metrics::kPanelMargin_px, 0);
     candidates_ = new NumberReadout(tr("candidates"), this);
     candidates_->setObjectName(QStringLiteral("candidates.count"));
     above_ = new NumberReadout(tr("above threshold"), this);
@@ -47,11 +48,11 @@ CandidatesPanel::CandidatesPanel(InspectionController& controller, const Command
     body->addLayout(numbers);
 
     auto* discrepancy = new Card(tr("Discrepancy"), this);
-    auto* metrics = new QHBoxLayout;
-    metrics->setSpacing(0);
+    auto* metricRow = new QHBoxLayout;
+    metricRow->setSpacing(0);
     for (const char* id : {"metric.mahalanobis", "metric.euclidean"})
-        metrics->addWidget(commands.makeButton(QString::fromLatin1(id), discrepancy), 1);
-    discrepancy->body()->addLayout(metrics);
+        metricRow->addWidget(commands.makeButton(QString::fromLatin1(id), discrepancy), 1);
+    discrepancy->body()->addLayout(metricRow);
     histogram_ = new ThresholdHistogram(discrepancy);
     histogram_->setObjectName(QStringLiteral("candidates.histogram"));
     discrepancy->body()->addWidget(histogram_);
@@ -90,9 +91,11 @@ CandidatesPanel::CandidatesPanel(InspectionController& controller, const Command
     frozen_ = makeText(tr("Frozen: the visits have begun, so candidates keep their ids."), TextRole::Muted, clusters);
     clusters->body()->addWidget(frozen_);
     body->addWidget(clusters);
-    auto* plan = commands.makeButton(QStringLiteral("visit.plan"), this);
-    setButtonRole(plan, ButtonRole::Primary);
-    body->addWidget(plan);
+    auto* plan = commands.makeButton(QStringLiteral("visit.plan"), this, ButtonRole::Primary);
+    auto* planRow = new QVBoxLayout;
+    planRow->setContentsMargins(metrics::kPanelMargin_px, 0, metrics::kPanelMargin_px, 0);
+    planRow->addWidget(plan);
+    body->addLayout(planRow);
     column()->addStretch();
 
     for (ValueSlider* slider : {threshold_, cutoff_, leastPoints_}) {

@@ -57,7 +57,7 @@ EvidencePanel::EvidencePanel(InspectionController& controller, const CommandSet&
     empty_ = new EmptyState(this);
     empty_->showEmpty(Icon::Target,
                       tr("Select a candidate in the view, the plan or the table to see what is known of it."));
-    column()->addWidget(empty_);
+    addBare(empty_);
 
     card_ = new Card(tr("Candidate"), this);
     card_->setObjectName(QStringLiteral("evidence.candidate"));

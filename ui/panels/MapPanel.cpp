@@ -44,8 +44,7 @@ MapPanel::MapPanel(InspectionController& controller, const CommandSet& commands,
     alignment_->body()->addWidget(sentence_);
     alignment_->body()->addWidget(remedy_);
     alignment_->body()->addWidget(measures_);
-    auto* detect = commands.makeButton(QStringLiteral("map.detect"), alignment_);
-    setButtonRole(detect, ButtonRole::Primary);
+    auto* detect = commands.makeButton(QStringLiteral("map.detect"), alignment_, ButtonRole::Primary);
     alignment_->body()->addWidget(detect);
     for (const char* id : {"map.transform", "map.register"})
         alignment_->body()->addWidget(commands.makeButton(QString::fromLatin1(id), alignment_));
@@ -108,9 +107,7 @@ void MapPanel::refreshAlignment() {
     remedy_->setVisible(bad);
     remedy_->setText(tr(
         "No candidates are claimed from this alignment. Load the right reference or map, or give a known transform."));
-    std::vector<std::pair<QString, QString>> measures{
-        {tr("Residual"), tr("%1 rms").arg(millimetres(registration.rms_m))},
-        {tr("Overlap"), percent(registration.overlap)}};
+    std::vector<std::pair<QString, QString>> measures;
     if (state.detection->coverage)
         measures.emplace_back(tr("Observed"),
                               tr("%1 of the reference").arg(percent(state.detection->coverage->observedShare)));

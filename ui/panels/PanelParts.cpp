@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ui/panels/PanelParts.h"
 
+#include <QEvent>
 #include <QScrollBar>
 
 namespace fodscope {
@@ -50,13 +51,31 @@ PanelColumn::PanelColumn(QWidget* parent) : QScrollArea(parent) {
     setSurface(content, SurfaceRole::Surface1);
     setSurface(this, SurfaceRole::Surface1);
     column_ = new QVBoxLayout(content);
-    column_->setContentsMargins(metrics::kPanelMargin_px, 8, metrics::kPanelMargin_px, metrics::kPanelMargin_px);
-    column_->setSpacing(8);
+    column_->setContentsMargins(0, 0, 0, metrics::kPanelMargin_px);
+    column_->setSpacing(0);
+    content->installEventFilter(this);
     setWidget(content);
 }
 
 QSize PanelColumn::sizeHint() const {
     return {300, 400};
+}
+
+QSize PanelColumn::minimumSizeHint() const {
+    const int bar = verticalScrollBar()->sizeHint().width();
+    return {widget()->minimumSizeHint().width() + bar, 120};
+}
+
+bool PanelColumn::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::LayoutRequest) setMinimumWidth(minimumSizeHint().width());
+    return QScrollArea::eventFilter(watched, event);
+}
+
+void PanelColumn::addBare(QWidget* widget) {
+    auto* row = new QVBoxLayout;
+    row->setContentsMargins(metrics::kPanelMargin_px, metrics::kPanelMargin_px, metrics::kPanelMargin_px, 0);
+    row->addWidget(widget);
+    column_->addLayout(row);
 }
 
 QLabel* makeText(const QString& text, TextRole role, QWidget* parent) {

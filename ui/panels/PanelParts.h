@@ -30,7 +30,14 @@ class PanelColumn : public QScrollArea {
   public:
     explicit PanelColumn(QWidget* parent = nullptr);
     QVBoxLayout* column() const { return column_; }
+    /// Puts something that is no card under the last one, with the margins of a card.
+    void addBare(QWidget* widget);
     QSize sizeHint() const override;
+    /// As wide as what it holds: a panel is never cut off at its side.
+    QSize minimumSizeHint() const override;
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     QVBoxLayout* column_ = nullptr;

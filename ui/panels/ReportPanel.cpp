@@ -65,8 +65,7 @@ ReportPanel::ReportPanel(InspectionController& controller, const CommandSet& com
     auto* issue = new Card(tr("Issue"), this);
     issue->body()->addWidget(makeText(
         tr("PDF and HTML of the same content, CSV of the candidates, JSON of the session."), TextRole::Muted, issue));
-    auto* button = commands.makeButton(QStringLiteral("report.issue"), issue);
-    setButtonRole(button, ButtonRole::Primary);
+    auto* button = commands.makeButton(QStringLiteral("report.issue"), issue, ButtonRole::Primary);
     issue->body()->addWidget(button);
     issued_ = makeText({}, TextRole::Body, issue);
     issued_->setObjectName(QStringLiteral("report.issued"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ui/panels/StartPage.h"
 
+#include <QAbstractButton>
 #include <QDateTime>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -21,10 +22,10 @@ constexpr int kChoiceHeight_px = 148;
 constexpr int kRecentShown = 6;
 
 /// A large choice: picture, name, what it is.
-class Choice : public QPushButton {
+class Choice : public QAbstractButton {
   public:
     Choice(Icon picture, const QString& title, const QString& what, bool primary, QWidget* parent)
-        : QPushButton(parent), picture_(picture), title_(title), what_(what), primary_(primary) {
+        : QAbstractButton(parent), picture_(picture), title_(title), what_(what), primary_(primary) {
         setFixedSize(kChoiceWidth_px, kChoiceHeight_px);
         setAccessibleName(title);
         setCursor(Qt::PointingHandCursor);
@@ -72,7 +73,7 @@ StartPage::StartPage(const CommandSet& commands, QWidget* parent) : QWidget(pare
                             const QString& command, bool primary) {
         auto* button = new Choice(picture, text, what, primary, this);
         button->setObjectName(QString::fromLatin1(name));
-        connect(button, &QPushButton::clicked, commands.find(command), &QAction::trigger);
+        connect(button, &QAbstractButton::clicked, commands.find(command), &QAction::trigger);
         choices->addWidget(button);
     };
     choice("start.new", Icon::New, tr("New inspection"),

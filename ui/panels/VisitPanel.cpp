@@ -112,8 +112,7 @@ void VisitPanel::makePlanCard(const CommandSet& commands) {
     planFields_ = new FieldList(plan);
     plan->body()->addWidget(planHint_);
     plan->body()->addWidget(planFields_);
-    auto* button = commands.makeButton(QStringLiteral("visit.plan"), plan);
-    setButtonRole(button, ButtonRole::Primary);
+    auto* button = commands.makeButton(QStringLiteral("visit.plan"), plan, ButtonRole::Primary);
     plan->body()->addWidget(button);
     plan->body()->addWidget(commands.makeButton(QStringLiteral("visit.grid"), plan));
     column()->addWidget(plan);
@@ -123,12 +122,15 @@ void VisitPanel::makeDriveCard(const CommandSet& commands) {
     drive_ = new Card(tr("Drive"), this);
     runner_ = new StatusChip(drive_);
     drive_->addHeaderWidget(runner_);
+    told_ = makeText({}, TextRole::Body, drive_);
+    told_->setObjectName(QStringLiteral("visit.told"));
+    drive_->body()->addWidget(told_);
     progress_ = new QProgressBar(drive_);
+    progress_->setTextVisible(false);
     progress_->setObjectName(QStringLiteral("visit.progress"));
     drive_->body()->addWidget(progress_);
     auto* buttons = new QGridLayout;
-    auto* start = commands.makeButton(QStringLiteral("visit.start"), drive_);
-    setButtonRole(start, ButtonRole::Primary);
+    auto* start = commands.makeButton(QStringLiteral("visit.start"), drive_, ButtonRole::Primary);
     buttons->addWidget(start, 0, 0, 1, 2);
     buttons->addWidget(commands.makeButton(QStringLiteral("visit.pause"), drive_), 1, 0, 1, 2);
     buttons->addWidget(commands.makeButton(QStringLiteral("visit.skip"), drive_), 2, 0);
@@ -223,9 +225,9 @@ void VisitPanel::refreshVisits() {
     });
     progress_->setRange(0, std::max<int>(1, static_cast<int>(state.visits.size())));
     progress_->setValue(static_cast<int>(over));
-    progress_->setFormat(tr("%1 of %2 visits over, %n photos", nullptr, static_cast<int>(state.photos.size()))
-                             .arg(over)
-                             .arg(state.visits.size()));
+    told_->setText(tr("%1 of %2 visits over, %n photos", nullptr, static_cast<int>(state.photos.size()))
+                       .arg(over)
+                       .arg(state.visits.size()));
     filling_ = true;
     const auto rows = static_cast<int>(state.plan->waypoints.size());
     while (list_->topLevelItemCount() > rows)

@@ -48,6 +48,7 @@ class VisitPanel : public PanelColumn {
     FieldList* planFields_ = nullptr;
     Card* drive_ = nullptr;
     StatusChip* runner_ = nullptr;
+    QLabel* told_ = nullptr;
     QProgressBar* progress_ = nullptr;
     QTreeWidget* list_ = nullptr;
     bool filling_ = false;
