@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+
+#include "ui/plan/PlanView.h"
+#include "ui/session/InspectionController.h"
+
+namespace fodscope {
+
+/// Keeps the 2D plan showing what the inspection holds, and carries clicks back.
+class PlanBinding : public QObject {
+    Q_OBJECT
+
+  public:
+    PlanBinding(InspectionController& controller, PlanView& view, QObject* parent);
+
+  private:
+    void showPlan();
+    void showRobot();
+    void selectWaypoint();
+
+    InspectionController& controller_;
+    PlanView& view_;
+    QTimer ageTimer_;
+};
+
+}  // namespace fodscope

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+#include "ui/window/SceneBinding.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ui/panels/Format.h"
+
+namespace fodscope {
+namespace {
+
+constexpr double kStaleAfter_s = 2.0;
+
+/// Half the logarithm of the determinant to the third: the logarithm of a mean standard deviation.
+std::vector<double> spreadOf(const ReferenceMap& reference) {
+    std::vector<double> spread_m(reference.size(), std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = 0; i < reference.size(); ++i)
+        spread_m[i] = std::pow(std::max(0.0, reference.covariance[i].determinant()), 1.0 / 6.0);
+    return spread_m;
+}
+
+std::vector<Eigen::Vector3d> pointsOf(const DiscrepancyField& field, const Candidate& candidate) {
+    std::vector<Eigen::Vector3d> points;
+    points.reserve(candidate.voxels.size());
+    for (const std::uint32_t voxel : candidate.voxels)
+        points.push_back(field.points[voxel]);
+    return points;
+}
+
+StatusKind stateOf(const InspectionController& controller, const std::string& candidateId) {
+    for (const CandidateVerdict& verdict : controller.verdicts())
+        if (verdict.candidateId == candidateId) return candidateState(controller.state(), verdict).kind;
+    return StatusKind::Attention;
+}
+
+ReportField field(const QString& name, const QString& value) {
+    return {name.toStdString(), value.toStdString()};
+}
+
+}  // namespace
+
+ScalarStyle discrepancyStyle(const CandidateSettings& settings) {
+    ScalarStyle style;
+    if (settings.metric == Metric::Mahalanobis) {
+        style.title = QObject::tr("Mahalanobis");
+        style.maximum = 10.0;
+        style.decimals = 1;
+    } else {
+        style.title = QObject::tr("Euclidean");
+        style.unit = QStringLiteral("mm");
+        style.displayFactor = 1000.0;
+        style.maximum = 0.1;
+        style.decimals = 0;
+    }
+    style.threshold = settings.threshold;
+    return style;
+}
+
+SceneBinding::SceneBinding(InspectionController& controller, View3D& view, QObject* parent)
+    : QObject(parent), controller_(controller), view_(view) {
+    connect(&controller, &InspectionController::sessionChanged, this, &SceneBinding::refreshAll);
+    connect(&controller, &InspectionController::referenceChanged, this, &SceneBinding::showReference);
+    connect(&controller, &InspectionController::mapChanged, this, &SceneBinding::showMap);
+    connect(&controller, &InspectionController::detectionChanged, this, &SceneBinding::showDetection);
+    connect(&controller, &InspectionController::candidatesChanged, this, &SceneBinding::showCandidates);
+    connect(&controller, &InspectionController::planChanged, this, &SceneBinding::showPlan);
+    connect(&controller, &InspectionController::visitsChanged, this, &SceneBinding::showPlan);
+    connect(&controller, &InspectionController::decisionsChanged, this, &SceneBinding::showCandidates);
+    connect(&controller, &InspectionController::robotChanged, this, &SceneBinding::showRobot);
+    connect(&controller, &InspectionController::selectionChanged, &view, &View3D::setSelectedCandidate);
+    connect(&controller, &InspectionController::flyToRequested, &view, &View3D::flyToCandidate);
+    connect(&view, &View3D::candidateSelected, &controller, &InspectionController::selectCandidate);
+    connect(&view, &View3D::candidateActivated, &controller, &InspectionController::flyToCandidate);
+    connect(&view, &View3D::waypointSelected, this, [this](const QString& id) {
+        const auto& plan = controller_.state().plan;
+        if (!plan) return;
+        for (const Waypoint& waypoint : plan->waypoints)
+            if (waypoint.id == id.toStdString() && !waypoint.candidateIds.empty())
+                controller_.selectCandidate(QString::fromStdString(waypoint.candidateIds.front()));
+    });
+    connect(&view, &View3D::picked, this, &SceneBinding::tellPoint);
+    refreshAll();
+}
+
+void SceneBinding::setStep(Step step) {
+    step_ = step;
+    showLayers();
+}
+
+void SceneBinding::setHeatMap(bool shown) {
+    heatMap_ = shown;
+    shownReference_ = nullptr;
+    showReference();
+    showLayers();
+}
+
+void SceneBinding::refreshAll() {
+    shownReference_ = nullptr;
+    shownMap_ = nullptr;
+    shownField_ = nullptr;
+    fitted_ = false;
+    heatMap_ = false;
+    view_.clear();
+    view_.setEmptyMessage(tr("Load a reference to begin: a CAD mesh, a reference map or nominal maps."));
+    if (!controller_.isOpen()) return;
+    showReference();
+    showMap();
+    showDetection();
+    showPlan();
+    showRobot();
+}
+
+void SceneBinding::showReference() {
+    const auto& reference = controller_.state().reference;
+    if (!reference || reference.get() == shownReference_) return;
+    shownReference_ = reference.get();
+    view_.setReference(reference->points);
+    if (heatMap_ && reference->hasCovariance()) {
+        ScalarStyle style;
+        style.title = tr("Spread of the nominal maps");
+        style.unit = QStringLiteral("mm");
+        style.displayFactor = 1000.0;
+        style.decimals = 0;
+        style.maximum = 0.03;
+        view_.setReferenceValues(spreadOf(*reference), style);
+    } else {
+        view_.setReferenceValues({}, {});
+    }
+    if (!fitted_) {
+        fitted_ = true;
+        view_.setStandardView(StandardView::Isometric);
+        view_.fit();
+    }
+    showLayers();
+}
+
+Transform SceneBinding::T_reference_from_map() const {
+    const auto& detection = controller_.state().detection;
+    return detection ? detection->registration.T_reference_from_map : Transform::Identity();
+}
+
+double SceneBinding::floorHeight_m() const {
+    const auto& detection = controller_.state().detection;
+    return detection ? detection->floorHeight_m : 0.0;
+}
+
+void SceneBinding::showMap() {
+    const auto& map = controller_.loadedMap();
+    const PointCloud* cloud = map ? map->cloud.get() : nullptr;
+    if (cloud != shownMap_) {
+        shownMap_ = cloud;
+        view_.setMap(cloud ? std::span<const Eigen::Vector3d>(cloud->points) : std::span<const Eigen::Vector3d>{});
+    }
+    view_.setMapTransform(T_reference_from_map());
+    showLayers();
+}
+
+void SceneBinding::showDetection() {
+    const auto& detection = controller_.state().detection;
+    const DiscrepancyField* shown = detection ? detection->field.get() : nullptr;
+    const CandidateSettings& settings = controller_.state().parameters.candidates;
+    if (shown != shownField_ || shownMetric_ != settings.metric) {
+        shownField_ = shown;
+        shownMetric_ = settings.metric;
+        const bool known = shown && (settings.metric == Metric::Euclidean || shown->hasMahalanobis());
+        if (known)
+            view_.setDiscrepancy(shown->points, shown->smoothed(settings.metric), discrepancyStyle(settings));
+        else
+            view_.setDiscrepancy({}, {}, discrepancyStyle(settings));
+    }
+    view_.setFloorHeight(floorHeight_m());
+    view_.setMapTransform(T_reference_from_map());
+    showCandidates();
+    showLayers();
+}
+
+void SceneBinding::showCandidates() {
+    const auto shown = controller_.shownCandidates();
+    std::vector<ViewCandidate> candidates;
+    if (shown && controller_.state().detection && controller_.state().detection->field) {
+        const DiscrepancyField& voxels = *controller_.state().detection->field;
+        for (const Candidate& candidate : shown->candidates) {
+            ViewCandidate view;
+            view.id = QString::fromStdString(candidate.id);
+            view.points = pointsOf(voxels, candidate);
+            view.centroid = candidate.centroid_reference;
+            view.selected = view.id == controller_.selectedCandidate();
+            view.state = stateOf(controller_, candidate.id);
+            candidates.push_back(std::move(view));
+        }
+    }
+    view_.setDiscrepancyThreshold(controller_.shownCandidateSettings().threshold);
+    view_.setCandidates(std::move(candidates));
+}
+
+Pose2 SceneBinding::inReference(const Pose2& pose_map) const {
+    return poseFromTransform(T_reference_from_map() * transformFromPose(pose_map));
+}
+
+void SceneBinding::showPlan() {
+    const InspectionState& state = controller_.state();
+    std::vector<ViewWaypoint> waypoints;
+    std::vector<Eigen::Vector3d> route;
+    if (state.plan) {
+        const double drawn_m = floorHeight_m() + 0.02;
+        for (const Waypoint& waypoint : state.plan->waypoints) {
+            if (!waypoint.pose_map) continue;
+            ViewWaypoint view;
+            view.id = QString::fromStdString(waypoint.id);
+            view.pose = inReference(*waypoint.pose_map);
+            if (!waypoint.candidateIds.empty())
+                if (const Candidate* target =
+                        controller_.findShownCandidate(QString::fromStdString(waypoint.candidateIds.front())))
+                    view.target = target->centroid_reference;
+            if (const Visit* visit = visitOf(state, waypoint.id)) view.state = stateText(*visit).kind;
+            waypoints.push_back(view);
+            for (const Eigen::Vector2d& point : waypoint.drive.points_map) {
+                Eigen::Vector3d place = T_reference_from_map() * Eigen::Vector3d(point.x(), point.y(), 0.0);
+                place.z() = drawn_m;
+                route.push_back(place);
+            }
+        }
+    }
+    view_.setWaypoints(std::move(waypoints));
+    view_.setRoute(route);
+    showLayers();
+}
+
+void SceneBinding::showRobot() {
+    const auto& robot = controller_.visits().robotState();
+    if (!robot || !robot->pose_map) {
+        view_.setRobot(std::nullopt);
+        return;
+    }
+    const bool stale = controller_.visits().now_s() - robot->poseMeasured_s > kStaleAfter_s;
+    view_.setRobot(ViewRobot{inReference(*robot->pose_map), stale});
+}
+
+void SceneBinding::showLayers() {
+    const bool aligned = controller_.state().detection && controller_.state().detection->field;
+    const bool candidates = step_ != Step::Reference && aligned;
+    const bool driving = step_ == Step::Visit || step_ == Step::Label || step_ == Step::Report;
+    view_.setLayerVisible(ViewLayer::Reference, step_ == Step::Reference || !aligned);
+    view_.setLayerVisible(ViewLayer::Map, step_ == Step::Map && !aligned);
+    view_.setLayerVisible(ViewLayer::Discrepancy, candidates);
+    view_.setLayerVisible(ViewLayer::Candidates, candidates && step_ != Step::Map);
+    view_.setLayerVisible(ViewLayer::Waypoints, driving);
+    view_.setLayerVisible(ViewLayer::Route, driving);
+    view_.setLayerVisible(ViewLayer::Robot, driving);
+}
+
+void SceneBinding::tellPoint(const PickedPoint& point) {
+    std::vector<ReportField> fields{field(tr("Layer"), toString(point.layer)),
+                                    field(tr("Place"), placeText(point.position))};
+    const auto& detection = controller_.state().detection;
+    if (point.layer == ViewLayer::Discrepancy && detection && detection->field &&
+        point.index < detection->field->size()) {
+        const DiscrepancyField& voxels = *detection->field;
+        fields.push_back(field(tr("Map points"), count(voxels.weights[point.index])));
+        fields.push_back(field(tr("Euclidean"), millimetres(voxels.euclidean_m[point.index], 1)));
+        fields.push_back(field(tr("smoothed"), millimetres(voxels.smoothedEuclidean_m[point.index], 1)));
+        if (voxels.hasMahalanobis()) {
+            fields.push_back(
+                field(tr("Mahalanobis"), discrepancyText(voxels.mahalanobis[point.index], Metric::Mahalanobis)));
+            fields.push_back(
+                field(tr("smoothed"), discrepancyText(voxels.smoothedMahalanobis[point.index], Metric::Mahalanobis)));
+        }
+    }
+    if (!point.candidateId.isEmpty()) fields.push_back(field(tr("Candidate"), point.candidateId));
+    controller_.setProbe(std::move(fields));
+}
+
+}  // namespace fodscope
