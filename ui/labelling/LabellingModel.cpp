@@ -163,13 +163,13 @@ LabelDraft dropLast(LabelDraft draft) {
 
 std::optional<TakenBack> takenBack(std::span<const Decision> before, std::span<const Decision> after,
                                    const std::string& labeller) {
-    for (std::size_t index = after.size(); index > before.size(); --index) {
-        const Decision& act = after[index - 1];
-        if (act.labeller != labeller) continue;
-        const Decision* counted = lastDecision(before, act.photoId, labeller);
-        return TakenBack{act.photoId, counted ? counted->labels : std::vector<PhotoLabel>{}};
+    if (after.size() != before.size() + 1 || !std::equal(before.begin(), before.end(), after.begin())) {
+        return std::nullopt;
     }
-    return std::nullopt;
+    const Decision& act = after.back();
+    if (!act.takesBack || act.labeller != labeller) return std::nullopt;
+    const Decision* counted = lastDecision(before, act.photoId, labeller);
+    return TakenBack{act.photoId, counted ? counted->labels : std::vector<PhotoLabel>{}};
 }
 
 bool hasDecisions(std::span<const Decision> decisions, const std::string& labeller) {

@@ -95,9 +95,7 @@ struct TakenBack {
     std::vector<PhotoLabel> labels;
 };
 
-/// @param before the decisions when the labeller asked for the undo
-/// @param after the decisions with the undo
-/// @return empty when `after` brings no new act of this labeller
+/// @return what was taken back when `after` is `before` and one more act, an undo of this labeller; else empty
 std::optional<TakenBack> takenBack(std::span<const Decision> before, std::span<const Decision> after,
                                    const std::string& labeller);
 

@@ -34,8 +34,6 @@ struct LabellingView::Parts {
     /// The photo whose decision is on its way to the disk, and whether it was undecided before.
     std::optional<std::string> saving;
     bool goOnAfterSaving = true;
-    /// The decisions when an undo was asked for.
-    std::optional<std::vector<Decision>> beforeUndo;
     bool pictureShown = false;
     /// What was kept last, for the line below the keys.
     QString done;

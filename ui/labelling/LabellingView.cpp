@@ -70,8 +70,8 @@ void LabellingView::setDecisions(std::vector<Decision> decisions) {
     parts_->recomputeStates();
     if (parts_->saving) {
         finishSaving(before.size());
-    } else if (parts_->beforeUndo) {
-        finishUndo();
+    } else if (const auto undone = takenBack(before, parts_->decisions, parts_->labeller)) {
+        finishUndo(*undone);
     }
     if (!parts_->photo()) return;
     parts_->showHeader();
@@ -97,24 +97,21 @@ void LabellingView::finishSaving(std::size_t decisionsBefore) {
     if (parts_->goOnAfterSaving && next) goTo(*next);
 }
 
-void LabellingView::finishUndo() {
-    const auto undone = takenBack(*parts_->beforeUndo, parts_->decisions, parts_->labeller);
-    if (!undone) return;
-    parts_->beforeUndo.reset();
+void LabellingView::finishUndo(const TakenBack& undone) {
     parts_->done.clear();
     // What was begun on the photo that is left stays; what the undone decision said must not come back by itself.
-    parts_->unfinished.erase(undone->photoId);
-    const int index = parts_->indexOf(undone->photoId);
+    parts_->unfinished.erase(undone.photoId);
+    const int index = parts_->indexOf(undone.photoId);
     if (index == parts_->current && index >= 0) {
         parts_->enterPhoto(index);
     } else if (index >= 0) {
         goTo(index);
     }
-    const Decision* now = lastDecision(parts_->decisions, undone->photoId, parts_->labeller);
+    const Decision* now = lastDecision(parts_->decisions, undone.photoId, parts_->labeller);
     parts_->layout->toast->showMessage(
         StatusKind::Neutral,
         tr("Took back “%1” on %2. %3")
-            .arg(labelsInWords(undone->labels), QString::fromStdString(undone->photoId),
+            .arg(labelsInWords(undone.labels), QString::fromStdString(undone.photoId),
                  now ? tr("It is “%1” again.").arg(labelsInWords(now->labels)) : tr("It is undecided again.")));
 }
 
@@ -150,7 +147,6 @@ void LabellingView::setCandidate(const QString& candidateId) {
 
 void LabellingView::decisionFailed(const QString& message) {
     parts_->saving.reset();
-    parts_->beforeUndo.reset();
     parts_->layout->toast->showMessage(StatusKind::Finding, message);
     if (parts_->photo()) parts_->showDraft();
 }
@@ -203,12 +199,11 @@ void LabellingView::toggleContrast() {
 }
 
 void LabellingView::requestUndo() {
-    if (parts_->saving || parts_->beforeUndo) return;
+    if (parts_->saving) return;
     if (!hasDecisions(parts_->decisions, parts_->labeller)) {
         parts_->layout->toast->showMessage(StatusKind::Neutral, tr("There is no decision of yours to take back."));
         return;
     }
-    parts_->beforeUndo = parts_->decisions;
     emit undoRequested();
 }
 

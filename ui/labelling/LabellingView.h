@@ -72,7 +72,7 @@ class LabellingView : public QWidget {
     void apply(const DraftStep& step);
     void decide(const std::vector<PhotoLabel>& labels);
     void finishSaving(std::size_t decisionsBefore);
-    void finishUndo();
+    void finishUndo(const TakenBack& undone);
     bool takeControlKey(int key);
     bool takeMoveKey(int key);
     bool takeCommandKey(int key);

@@ -159,9 +159,9 @@ TEST(ProgressText, CountsDecidedAndNotSure) {
 TEST(TakenBack, NamesThePhotoAndWhatCountedBefore) {
     std::vector<Decision> before{decision("P-0", "Anna", {"hammer"}), decision("P-1", "Piet", {"glove"})};
     std::vector<Decision> after = before;
-    after.push_back(decision("P-2", "Piet", {}));
-    EXPECT_FALSE(takenBack(before, after, "Anna")) << "another reader's act is none of Anna's";
-    after.push_back(decision("P-0", "Anna", {}));
+    after.push_back(*undoOf(before, "Anna", {}));
+    EXPECT_FALSE(takenBack(before, after, "Piet")) << "Anna's act is none of Piet's";
+    EXPECT_FALSE(takenBack({}, after, "Anna")) << "a session that is opened undoes nothing";
     const auto undone = takenBack(before, after, "Anna");
     ASSERT_TRUE(undone);
     EXPECT_EQ(undone->photoId, "P-0");

@@ -45,10 +45,7 @@ class Labelling : public testing::Test {
                 if (!diskIsSlow) view.setDecisions(kept);
             });
         QObject::connect(&view, &LabellingView::undoRequested, [this] {
-            Decision undo = kept.back();
-            undo.labels.clear();
-            undo.comment.clear();
-            kept.push_back(undo);
+            kept.push_back(*undoOf(kept, view.labeller().toStdString(), {}));
             view.setDecisions(kept);
         });
     }
@@ -203,6 +200,18 @@ TEST_F(Labelling, UndoGoesToThePhotoAndNamesWhatItUndid) {
     EXPECT_TRUE(message().contains(QStringLiteral("hammer"))) << message().toStdString();
     EXPECT_TRUE(message().contains(QStringLiteral("P-001")));
     EXPECT_EQ(words("labellingProgress"), QStringLiteral("0 of %1 decided").arg(state.photos.size()));
+}
+
+TEST_F(Labelling, AnUndoAskedForElsewhereIsShownAsWell) {
+    press(Qt::Key_1);
+    press(Qt::Key_Left);
+    press(Qt::Key_2);
+    press(Qt::Key_End);
+    kept.push_back(*undoOf(kept, "Anna", {}));
+    view.setDecisions(kept);
+    EXPECT_EQ(view.currentPhoto(), "P-001");
+    EXPECT_TRUE(message().contains(QStringLiteral("drill"))) << message().toStdString();
+    EXPECT_TRUE(message().contains(QStringLiteral("hammer"))) << "it is hammer again";
 }
 
 TEST_F(Labelling, UndoWithoutADecisionAsksForNothing) {

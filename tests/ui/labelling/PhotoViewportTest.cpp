@@ -69,7 +69,8 @@ TEST(ContrastStretch, UsesTheWholeRangeAndLeavesTheOriginal) {
     EXPECT_GT(qGray(stretched.pixel(99, 0)), 245);
     EXPECT_TRUE(contrastStretched({}).isNull());
     for (int x = 0; x < 100; ++x) {
-        for (int y = 0; y < 10; ++y) photo.setPixel(x, y, qRgb(10 + x / 4, 20 + x / 2, 20 + x / 2));
+        for (int y = 0; y < 10; ++y)
+            photo.setPixel(x, y, qRgb(10 + x / 4, 20 + x / 2, 20 + x / 2));
     }
     const QRgb pixel = contrastStretched(photo).pixel(50, 5);
     EXPECT_GT(qGreen(pixel), 60);
