@@ -138,6 +138,10 @@ ReferenceMap referenceFromMeshFile(const std::filesystem::path& mesh, double sca
     const TriangleMesh triangles = readMesh(mesh, scale);
     requireMetres(triangles, mesh.string());
     ReferenceMap reference = referenceFromCad(triangles, settings, progress);
+    if (reference.size() < kFewestPoints) {
+        throw Error(mesh.string(), "gives only " + std::to_string(reference.size()) + " samples",
+                    "check the scale (metres in one unit of the mesh) and the spacing");
+    }
     reference.provenance.push_back("mesh " + mesh.filename().string());
     return reference;
 }

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "core/common/Error.h"
@@ -91,6 +92,53 @@ TEST(Parameters, NoKeyIsThereTwiceAndEachSaysWhatItDoes) {
     for (const ParameterField& field : parameterTable()) {
         EXPECT_TRUE(keys.insert(field.section + "." + field.key).second) << field.key;
         EXPECT_FALSE(field.help.empty()) << field.key;
+    }
+}
+
+std::size_t keysIn(const std::string& section) {
+    return static_cast<std::size_t>(
+        std::ranges::count(parameterTable(), section, [](const ParameterField& field) { return field.section; }));
+}
+
+// When this does not compile, a setting was added: give it a row in the table, so that files and reports know it.
+TEST(Parameters, TheTableKnowsEveryField) {
+    const Parameters all = paper();
+    const auto& [denoise, registration, discrepancy, candidates, coverage, occupancy, costMap, waypoints, visits] = all;
+    {
+        [[maybe_unused]] const auto& [a, b, c] = denoise;
+        EXPECT_EQ(keysIn("denoise"), 3U);
+    }
+    {
+        [[maybe_unused]] const auto& [a, b, c, d, e, f] = registration;
+        EXPECT_EQ(keysIn("registration"), 6U);
+    }
+    {
+        [[maybe_unused]] const auto& [a, b, c, d] = discrepancy;
+        EXPECT_EQ(keysIn("discrepancy"), 4U);
+    }
+    {
+        [[maybe_unused]] const auto& [a, b, c, d, e] = candidates;
+        EXPECT_EQ(keysIn("candidates"), 5U);
+    }
+    {
+        [[maybe_unused]] const auto& [a] = coverage;
+        EXPECT_EQ(keysIn("coverage"), 1U);
+    }
+    {
+        [[maybe_unused]] const auto& [a, b, c, d, e] = occupancy;
+        EXPECT_EQ(keysIn("occupancy"), 5U);
+    }
+    {
+        [[maybe_unused]] const auto& [a, b, c] = costMap;
+        EXPECT_EQ(keysIn("cost_map"), 3U);
+    }
+    {
+        [[maybe_unused]] const auto& [a, b, c, d, e, f, g, h, i] = waypoints;
+        EXPECT_EQ(keysIn("waypoints"), 9U);
+    }
+    {
+        [[maybe_unused]] const auto& [a, b, c, d] = visits;
+        EXPECT_EQ(keysIn("visits"), 4U);
     }
 }
 
