@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include <QBuffer>
+#include <QImage>
+
+#include "tests/fakes/SampleInspection.h"
+#include "tests/ui/window/WindowFixture.h"
+
+namespace fodscope::test {
+namespace {
+
+class Work : public WindowTest {};
+
+std::string picture() {
+    QImage image(64, 36, QImage::Format_RGB32);
+    image.fill(Qt::darkGray);
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    image.save(&buffer, "PNG");
+    return bytes.toStdString();
+}
+
+int rows(QTableView& table) {
+    return table.model()->rowCount();
+}
+
+TEST_F(Work, StartsWithThreeChoicesAndNothingElseToDo) {
+    EXPECT_TRUE(find("start.new")->isVisible());
+    EXPECT_TRUE(find("start.builtin")->isVisible());
+    EXPECT_TRUE(find("start.open")->isVisible());
+    EXPECT_TRUE(find("status.stop")->isVisible());
+    EXPECT_FALSE(find("step.3")->isEnabled());
+}
+
+TEST_F(Work, TwoFilesBecomeCandidatesInTheTable) {
+    detectRoom();
+    auto* table = find<QTableView>("candidate.table");
+    EXPECT_GE(rows(*table), 1);
+    EXPECT_EQ(rows(*table), static_cast<int>(controller->state().detection->candidates->candidates.size()));
+    EXPECT_TRUE(find<QLabel>("map.alignment")->text().contains("aligned"))
+        << qPrintable(find<QLabel>("map.alignment")->text());
+}
+
+TEST_F(Work, ReferenceWithoutCovarianceIsUsedWithTheEuclideanMetric) {
+    detectRoom();
+    EXPECT_EQ(controller->state().parameters.candidates.metric, Metric::Euclidean);
+    run("metric.mahalanobis");
+    ASSERT_TRUE(waitUntilIdle());
+    EXPECT_FALSE(banner().isEmpty());
+    EXPECT_EQ(controller->state().parameters.candidates.metric, Metric::Euclidean);
+    EXPECT_TRUE(find<QPushButton>("button.metric.euclidean")->isChecked());
+}
+
+TEST_F(Work, CandidatesFollowTheSliderAndAreKeptWhenItIsLetGo) {
+    detectRoom();
+    run("step.3");
+    const double before = controller->state().parameters.candidates.threshold;
+    auto* slider = find("slider.threshold")->findChild<QSlider*>();
+    ASSERT_NE(slider, nullptr);
+    QSignalSpy shown(controller.get(), &InspectionController::candidatesChanged);
+    for (int i = 0; i < 3; ++i)
+        QTest::keyClick(slider, Qt::Key_Right);
+    ASSERT_TRUE(waitUntilIdle());
+    EXPECT_GT(shown.count(), 0);
+    EXPECT_GT(controller->state().parameters.candidates.threshold, before);
+    EXPECT_FALSE(controller->isPreviewing());
+}
+
+TEST_F(Work, MovedThresholdCanBeUndoneAndRedone) {
+    detectRoom();
+    run("step.3");
+    const CandidateSettings before = controller->state().parameters.candidates;
+    run("threshold.up");
+    ASSERT_TRUE(waitUntilIdle());
+    const CandidateSettings moved = controller->state().parameters.candidates;
+    ASSERT_NE(moved, before);
+    run("edit.undo");
+    ASSERT_TRUE(waitUntilIdle());
+    EXPECT_EQ(controller->state().parameters.candidates, before);
+    run("edit.redo");
+    ASSERT_TRUE(waitUntilIdle());
+    EXPECT_EQ(controller->state().parameters.candidates, moved);
+}
+
+TEST_F(Work, PickedRowIsTheSelectionEverywhere) {
+    detectRoom();
+    run("step.3");
+    auto* table = find<QTableView>("candidate.table");
+    const QModelIndex first = table->model()->index(0, 0);
+    QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualRect(first).center());
+    EXPECT_EQ(controller->selectedCandidate(), first.data().toString());
+    EXPECT_TRUE(find("evidence.candidate")->isVisible());
+    controller->selectCandidate(QString());
+    EXPECT_TRUE(table->selectionModel()->selectedRows().isEmpty());
+}
+
+TEST_F(Work, ReopenedSessionShowsEverythingFromItsFileAlone) {
+    detectRoom();
+    const auto before = controller->state().detection->candidates->candidates;
+    run("step.3");
+    QFile::remove(file("reference.ply"));
+    QFile::remove(file("map.pcd"));
+    restart();
+    files.next = file("inspection.fodscope");
+    run("session.open");
+    ASSERT_TRUE(waitUntilIdle());
+    ASSERT_TRUE(controller->isOpen()) << qPrintable(banner());
+    EXPECT_TRUE(controller->state().reference);
+    ASSERT_TRUE(controller->state().detection);
+    const auto& after = controller->state().detection->candidates->candidates;
+    ASSERT_EQ(after.size(), before.size());
+    EXPECT_EQ(after.front().id, before.front().id);
+    EXPECT_EQ(window->currentStep(), Step::Candidates);
+    EXPECT_EQ(rows(*find<QTableView>("candidate.table")), static_cast<int>(before.size()));
+    // And the slider still works, on the voxels of the session.
+    run("threshold.up");
+    ASSERT_TRUE(waitUntilIdle());
+    EXPECT_TRUE(banner().isEmpty()) << qPrintable(banner());
+}
+
+TEST_F(Work, FrontPageOfTheReportIsKept) {
+    detectRoom();
+    run("step.6");
+    auto* ship = find<QLineEdit>("report.ship");
+    ship->setFocus();
+    QTest::keyClicks(ship, "Testudo");
+    QTest::keyClick(ship, Qt::Key_Return);
+    EXPECT_EQ(controller->state().header.ship, "Testudo");
+}
+
+TEST_F(Work, IssuedReportIsThereInAllForms) {
+    detectRoom();
+    run("step.6");
+    files.next = file("report");
+    run("report.issue");
+    ASSERT_TRUE(waitUntilIdle());
+    EXPECT_TRUE(banner().isEmpty()) << qPrintable(banner());
+    for (const char* name : {"report.pdf", "report.html", "report.csv", "report.json"})
+        EXPECT_TRUE(QFile::exists(file(QStringLiteral("report/") + name))) << name;
+    EXPECT_EQ(controller->state().reports.size(), 1u);
+}
+
+TEST_F(Work, ReaderLabelsByKeyboardAndTakesItBack) {
+    controller->setLabeller("Anna");
+    detectRoom();
+    // A photo, as the robot brings it.
+    Photo photo = samplePhoto("W-01", controller->state().detection->candidates->candidates.front().id, picture());
+    emit controller->visits().photoArrived(photo);
+    ASSERT_EQ(controller->state().photos.size(), 1u);
+    run("step.5");
+    auto* view = find("labellingView");
+    view->setFocus();
+    QTest::keyClick(view, Qt::Key_0);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return controller->state().decisions.size() == 1; }));
+    EXPECT_EQ(controller->state().decisions.front().labels.front().label, kNoFod);
+    EXPECT_EQ(controller->state().decisions.front().labeller, "Anna");
+    run("edit.undo");
+    EXPECT_EQ(lastDecision(controller->state().decisions, "P-001", "Anna"), nullptr);
+}
+
+TEST_F(Work, KeysGoThroughStepsAndCandidates) {
+    detectRoom();
+    QTest::keyClick(window.get(), Qt::Key_3, Qt::ControlModifier);
+    EXPECT_EQ(window->currentStep(), Step::Candidates);
+    QTest::keyClick(window.get(), Qt::Key_Tab);
+    EXPECT_FALSE(controller->selectedCandidate().isEmpty());
+    QTest::keyClick(window.get(), Qt::Key_Escape);
+    EXPECT_TRUE(controller->selectedCandidate().isEmpty());
+    QTest::keyClick(window.get(), Qt::Key_F1);
+    EXPECT_TRUE(find("shortcuts")->isVisible());
+    QTest::keyClick(window.get(), Qt::Key_Escape);
+    EXPECT_FALSE(find("shortcuts")->isVisible());
+}
+
+}  // namespace
+}  // namespace fodscope::test
