@@ -55,6 +55,10 @@ QString discrepancyText(double value, Metric metric) {
     return metric == Metric::Mahalanobis ? number(value, 2) : millimetres(value, 1);
 }
 
+QString counted(std::size_t number, const QString& one, const QString& several) {
+    return QStringLiteral("%1 %2").arg(count(number), number == 1 ? one : several);
+}
+
 QString fileNameOf(const SourceFile& source) {
     const QString path = QString::fromStdString(source.path);
     return path.mid(path.lastIndexOf(QLatin1Char('/')) + 1);

@@ -22,6 +22,8 @@ QString sizeText(const Eigen::Vector3d& size_m);
 QString placeText(const Eigen::Vector3d& point);
 /// A discrepancy in the metric's own unit: "4.2" or "45 mm".
 QString discrepancyText(double value, Metric metric);
+/// "1 photo", "4 photos"
+QString counted(std::size_t number, const QString& one, const QString& several);
 QString fileNameOf(const SourceFile& source);
 
 /// A state as word and kind.

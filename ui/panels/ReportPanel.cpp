@@ -90,10 +90,13 @@ void ReportPanel::refresh() {
 void ReportPanel::refreshHeader() {
     const InspectionHeader& header = controller_.state().header;
     for (std::size_t i = 0; i < kFields.size(); ++i)
-        if (!fields_[i]->hasFocus()) fields_[i]->setText(QString::fromStdString(header.*kFields[i].member));
+        if (!fields_[i]->hasFocus()) {
+            fields_[i]->setText(QString::fromStdString(header.*kFields[i].member));
+            fields_[i]->setCursorPosition(0);
+        }
     const auto& reports = controller_.state().reports;
     issued_->setText(reports.empty() ? tr("Not issued yet.")
-                                     : tr("Issued %n times.", nullptr, static_cast<int>(reports.size())));
+                                     : tr("Issued %1.").arg(counted(reports.size(), tr("time"), tr("times"))));
 }
 
 void ReportPanel::refreshMissing() {
@@ -131,8 +134,9 @@ void ReportPanel::takeHeader() {
 
 void ReportPanel::tellIssued(const QString& folder) {
     refreshMissing();
-    issued_->setText(tr("Issued: report.pdf, report.html, report.csv and report.json are in %1")
-                         .arg(QDir::toNativeSeparators(folder)));
+    issued_->setText(tr("Issued: report.pdf, report.html, report.csv and report.json are in the folder %1.")
+                         .arg(QDir(folder).dirName()));
+    issued_->setToolTip(QDir::toNativeSeparators(folder));
 }
 
 }  // namespace fodscope

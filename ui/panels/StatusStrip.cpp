@@ -113,11 +113,11 @@ void StatusStrip::refreshCounts() {
     }
     QStringList parts;
     if (const auto shown = controller_.shownCandidates())
-        parts << tr("%n candidates", nullptr, static_cast<int>(shown->candidates.size()));
+        parts << counted(shown->candidates.size(), tr("candidate"), tr("candidates"));
     const auto& state = controller_.state();
     if (!state.photos.empty()) {
-        parts << tr("%n photos", nullptr, static_cast<int>(state.photos.size()));
-        parts << tr("%n to label", nullptr, static_cast<int>(photosWithoutDecision(state).size()));
+        parts << counted(state.photos.size(), tr("photo"), tr("photos"));
+        parts << tr("%1 to label").arg(photosWithoutDecision(state).size());
     }
     counts_->setText(parts.join(QStringLiteral(" · ")));
 }

@@ -139,6 +139,7 @@ void VisitPanel::makeDriveCard(const CommandSet& commands) {
     list_ = new QTreeWidget(drive_);
     list_->setObjectName(QStringLiteral("visit.list"));
     list_->setHeaderLabels({tr("Waypoint"), tr("For"), tr("State")});
+    list_->setHeaderHidden(true);
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(true);
     list_->setMinimumHeight(140);
@@ -205,7 +206,7 @@ void VisitPanel::refreshPlan() {
     const auto reachable =
         std::ranges::count_if(state.plan->waypoints, [](const Waypoint& w) { return w.pose_map.has_value(); });
     planFields_->setFields(
-        {{tr("Waypoints"), tr("%1 to visit").arg(reachable)},
+        {{tr("Waypoints"), QString::number(reachable)},
          {tr("Without one"), QString::number(static_cast<int>(state.plan->waypoints.size()) - reachable)},
          {tr("Route"), tr("%1 m").arg(QString::number(state.plan->length_m, 'f', 1))}});
 }
@@ -225,9 +226,10 @@ void VisitPanel::refreshVisits() {
     });
     progress_->setRange(0, std::max<int>(1, static_cast<int>(state.visits.size())));
     progress_->setValue(static_cast<int>(over));
-    told_->setText(tr("%1 of %2 visits over, %n photos", nullptr, static_cast<int>(state.photos.size()))
+    told_->setText(tr("%1 of %2 visits over, %3")
                        .arg(over)
-                       .arg(state.visits.size()));
+                       .arg(state.visits.size())
+                       .arg(counted(state.photos.size(), tr("photo"), tr("photos"))));
     filling_ = true;
     const auto rows = static_cast<int>(state.plan->waypoints.size());
     while (list_->topLevelItemCount() > rows)

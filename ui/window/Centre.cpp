@@ -22,6 +22,8 @@ namespace {
 
 /// Laying the report out takes a moment; several changes at once are laid out together.
 constexpr int kReportDelay_ms = 200;
+/// In a narrower view its tool bar would lie over the legend.
+constexpr int kToolBarFrom_px = 520;
 
 }  // namespace
 
@@ -63,6 +65,7 @@ Centre::Centre(InspectionController& controller, const CommandSet& commands, QWi
     connect(&controller, &InspectionController::errorRaised, banner_, &MessageBanner::showError);
     connect(&controller.tasks(), &TaskRunner::started, banner_, &MessageBanner::dismiss);
     connect(&controller.tasks(), &TaskRunner::progressed, this, &Centre::showTask);
+    connect(scene_, &QSplitter::splitterMoved, this, &Centre::fitToolBar);
     connect(empty_, &EmptyState::activated, this, [this] {
         if (Command* command = commands_.find(need_.commandId)) command->trigger();
     });
@@ -111,6 +114,8 @@ void Centre::refresh() {
                     : step_ == Step::Report ? static_cast<QWidget*>(report_)
                                             : scene_;
     if (stack_->currentWidget() != page) stack_->setCurrentWidget(page);
+    // The splitter gives its parts their widths in its next layout.
+    if (page == scene_) QMetaObject::invokeMethod(this, &Centre::fitToolBar, Qt::QueuedConnection);
 }
 
 void Centre::showNeed(const StepNeed& need) {
@@ -125,6 +130,15 @@ void Centre::showTask(const TaskReport& report) {
     if (stack_->currentWidget() != empty_) return;
     empty_->showLoading(report.stage, report.fraction);
     empty_->setSecondButton({});
+}
+
+void Centre::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitToolBar();
+}
+
+void Centre::fitToolBar() {
+    view_->setToolBarVisible(view_->width() >= kToolBarFrom_px);
 }
 
 void Centre::setHeatMap(bool shown) {

@@ -37,7 +37,11 @@ class Centre : public QWidget {
     void setHeatMap(bool shown);
     void fitViews();
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
+    void fitToolBar();
     void refresh();
     void showNeed(const StepNeed& need);
     void showTask(const TaskReport& report);

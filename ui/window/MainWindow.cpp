@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QComboBox>
+#include <QDir>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QMenuBar>
@@ -148,7 +149,7 @@ void MainWindow::placeDocks() {
     tableDock_ = makeDock(QStringLiteral("table"), tr("Candidates"), new CandidateTable(controller_, this),
                           Qt::BottomDockWidgetArea);
     stepPanels_->setMinimumWidth(272);
-    evidenceDock_->widget()->setMinimumWidth(240);
+    evidenceDock_->widget()->setMinimumWidth(264);
     tableDock_->widget()->setMinimumHeight(110);
     auto* view = menuBar()->actions().at(2)->menu();
     view->addSeparator();
@@ -166,7 +167,8 @@ void MainWindow::followController() {
     connect(&controller_, &InspectionController::noticeRaised, this,
             [this](const QString& sentence) { toast_->showMessage(StatusKind::Neutral, sentence); });
     connect(&controller_, &InspectionController::reportIssued, this, [this](const QString& folder) {
-        toast_->showMessage(StatusKind::Clear, tr("The report was issued into %1").arg(folder));
+        toast_->showMessage(StatusKind::Clear,
+                            tr("The report was issued into the folder %1").arg(QDir(folder).dirName()));
     });
     connect(&controller_, &InspectionController::builtinTankReady, this, [this] { showStep(Step::Candidates); });
     connect(&controller_, &InspectionController::photoSelectionChanged, this, [this](const QString& photo) {
