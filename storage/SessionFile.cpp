@@ -155,6 +155,13 @@ SessionVerification SessionFile::verify() const {
     }
 }
 
+void SessionFile::requireIntact() const {
+    const SessionVerification verification = verify();
+    if (verification.intact) return;
+    throw Error(path().string(), "was altered after it was written (" + verification.problem + ")",
+                "use a copy that `fodscope-cli verify` calls intact");
+}
+
 bool SessionFile::chainHolds(const std::string& hash) const {
     try {
         SQLite::Statement query(*database_->sqlite, "SELECT 1 FROM acts WHERE hash = ?");

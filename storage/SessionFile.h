@@ -44,6 +44,8 @@ class SessionFile : public Journal {
 
     /// Walks the chain of acts and the fingerprints of photos and clouds.
     SessionVerification verify() const;
+    /// @throws Error naming the first thing that was altered
+    void requireIntact() const;
     /// @return whether that hash is in the chain
     bool chainHolds(const std::string& hash) const;
 

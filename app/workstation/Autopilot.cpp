@@ -226,7 +226,7 @@ void Autopilot::fillFrontPage() {
         {"report.ship", tr("Demonstration ship")},
         {"report.tank", tr("Built-in tank (simulated)")},
         {"report.workOrder", tr("DEMO-1")},
-        {"report.inspector", QString::fromStdString(labeller_->name())},
+        {"report.inspector", tr("automatic demonstration")},
     };
     for (const auto& [name, text] : fields) {
         auto* line = window_.findChild<QLineEdit*>(QString::fromLatin1(name));

@@ -28,14 +28,15 @@ double longestMission_s(const VisitPlan& plan, const VisitSettings& settings) {
 }
 
 void adoptProgress(VisitProgress&& step, const AutomaticLabeller& labeller, Inspection& inspection) {
-    for (const Visit& visit : step.changedVisits)
-        inspection.updateVisit(visit);
+    // Photos first: a visit that is recorded as done has its photo on record, whatever happens in between.
     for (Photo& photo : step.photos) {
         const Photo kept = inspection.addPhoto(std::move(photo));
         const PhotoAnswer answer = labeller.answer(kept);
         if (answer.labels.empty()) continue;
         inspection.decide(kept.id, labeller.name, answer.labels, answer.comment, UtcTime::now());
     }
+    for (const Visit& visit : step.changedVisits)
+        inspection.updateVisit(visit);
 }
 
 void drive(RobotLink& robot, const AutomaticLabeller& labeller, Inspection& inspection, Progress& progress) {

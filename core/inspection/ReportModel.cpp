@@ -143,7 +143,8 @@ std::vector<ReportField> parameterFields(const Parameters& parameters) {
     std::vector<ReportField> fields;
     for (const ParameterField& field : parameterTable()) {
         const std::string value = toString(field.get(parameters));
-        fields.push_back({field.section + "." + field.key, field.unit.empty() ? value : value + " " + field.unit});
+        fields.push_back({field.section + "." + field.key,
+                          field.unit.empty() || value == "none" ? value : value + " " + field.unit});
     }
     return fields;
 }

@@ -36,7 +36,7 @@ std::vector<MenuPlan> menus() {
              {"robot.builtin", "robot.world", "visit.grid", "", "visit.plan", "", "visit.start", "visit.pause",
               "visit.toggle", "visit.skip", "visit.retry", "", "robot.stop"}},
             {QObject::tr("&Report"), {"label.next", "label.set", "", "report.issue"}},
-            {QObject::tr("&Help"), {"help.keys", "help.palette"}}};
+            {QObject::tr("&Help"), {"help.manual", "help.keys", "help.palette"}}};
 }
 
 QString toolTipOf(const QAction& action) {
@@ -101,6 +101,7 @@ CommandSet::CommandSet(CommandContext context, QObject* parent) : QObject(parent
         add<GoToStepCommand>(static_cast<Step>(step));
     add<FitViewsCommand>();
     add<ToggleThemeCommand>();
+    add<ManualCommand>();
     add<ShortcutsCommand>();
     add<PaletteCommand>();
     add<LeaveCommand>();

@@ -15,6 +15,8 @@ class Navigation {
     /// Moves the threshold by steps of the step's slider, as a key press on it would.
     virtual void stepThreshold(int steps, bool coarse) = 0;
     virtual void toggleShortcuts() = 0;
+    /// Opens the manual at the current step.
+    virtual void showManual() = 0;
     virtual void togglePalette() = 0;
     virtual void toggleTheme() = 0;
     virtual void fitViews() = 0;

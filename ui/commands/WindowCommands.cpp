@@ -65,11 +65,22 @@ void ToggleThemeCommand::run() {
 ShortcutsCommand::ShortcutsCommand(CommandContext& context)
     : Command(context, QStringLiteral("help.keys"), QObject::tr("All keys")) {
     setPicture(Icon::Keyboard);
-    setKeys({QKeySequence(Qt::Key_F1), QKeySequence(Qt::Key_Question), QKeySequence(QStringLiteral("Shift+?"))});
+    setKeys({QKeySequence(Qt::Key_Question), QKeySequence(QStringLiteral("Shift+?"))});
 }
 
 void ShortcutsCommand::run() {
     navigation().toggleShortcuts();
+}
+
+ManualCommand::ManualCommand(CommandContext& context)
+    : Command(context, QStringLiteral("help.manual"), QObject::tr("Manual")) {
+    setPicture(Icon::Help);
+    setKeys({QKeySequence(Qt::Key_F1)});
+    setToolTip(QObject::tr("Opens the manual at the current step"));
+}
+
+void ManualCommand::run() {
+    navigation().showManual();
 }
 
 PaletteCommand::PaletteCommand(CommandContext& context)

@@ -37,6 +37,12 @@ class ShortcutsCommand : public Command {
     void run() override;
 };
 
+class ManualCommand : public Command {
+  public:
+    explicit ManualCommand(CommandContext& context);
+    void run() override;
+};
+
 class PaletteCommand : public Command {
   public:
     explicit PaletteCommand(CommandContext& context);

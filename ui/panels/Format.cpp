@@ -31,7 +31,10 @@ QString millimetres(double metres, int decimals) {
 }
 
 QString percent(double share, int decimals) {
-    return std::isfinite(share) ? number(share * 100.0, decimals) + QStringLiteral(" %") : kUnknown;
+    if (!std::isfinite(share)) return kUnknown;
+    // Rounded down, as in the report: 100 % is said of the whole only.
+    const double unit = std::pow(10.0, decimals);
+    return number(std::floor(share * 100.0 * unit + 1e-9) / unit, decimals) + QStringLiteral(" %");
 }
 
 QString count(std::size_t number) {

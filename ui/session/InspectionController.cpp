@@ -109,7 +109,17 @@ void InspectionController::openSession(const QString& file) {
         progress.report(tr("reading the session").toStdString(), 0.0);
         std::shared_ptr<SessionFile> session = SessionFile::open(file.toStdString());
         auto state = std::make_shared<InspectionState>(session->load());
-        return [this, session, state]() mutable { adoptSession(std::move(session), std::move(*state)); };
+        // An altered session is shown all the same, so that people can see what is left of it, but never in silence.
+        QString alteration;
+        try {
+            session->requireIntact();
+        } catch (const Error& error) {
+            alteration = sentenceOf(error);
+        }
+        return [this, session, state, alteration]() mutable {
+            adoptSession(std::move(session), std::move(*state));
+            if (!alteration.isEmpty()) emit errorRaised(alteration);
+        };
     });
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ui/window/MainWindow.h"
+#include "core/common/Error.h"
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
@@ -35,6 +36,7 @@
 #include "ui/widgets/Toast.h"
 #include "ui/window/Centre.h"
 #include "ui/window/FileDrop.h"
+#include "ui/window/ManualWindow.h"
 #include "ui/window/Overlay.h"
 #include "ui/window/TitleRow.h"
 
@@ -261,6 +263,17 @@ void MainWindow::stepThreshold(int steps, bool coarse) {
 
 void MainWindow::toggleShortcuts() {
     shortcuts_->isVisible() ? shortcuts_->hide() : shortcuts_->open();
+}
+
+void MainWindow::showManual() {
+    try {
+        if (!manual_) manual_ = new ManualWindow(this);
+        manual_->show();
+        manual_->raise();
+        manual_->showStep(controller_.isOpen() ? std::optional(step_) : std::nullopt);
+    } catch (const Error& error) {
+        controller_.raiseError(QString::fromUtf8(error.what()));
+    }
 }
 
 void MainWindow::togglePalette() {

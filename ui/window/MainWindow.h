@@ -16,6 +16,7 @@ class CandidatesPanel;
 class Centre;
 class CommandPalette;
 class CommandSet;
+class ManualWindow;
 class ShortcutsOverlay;
 class TitleRow;
 class Toast;
@@ -42,6 +43,7 @@ class MainWindow : public QMainWindow, private Navigation {
   private:
     void stepThreshold(int steps, bool coarse) override;
     void toggleShortcuts() override;
+    void showManual() override;
     void togglePalette() override;
     void toggleTheme() override;
     void fitViews() override;
@@ -73,6 +75,8 @@ class MainWindow : public QMainWindow, private Navigation {
     Toast* toast_ = nullptr;
     ShortcutsOverlay* shortcuts_ = nullptr;
     CommandPalette* palette_ = nullptr;
+    /// Made when it is first asked for.
+    ManualWindow* manual_ = nullptr;
     bool placingDocks_ = false;
 };
 

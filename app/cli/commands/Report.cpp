@@ -30,6 +30,7 @@ void execute(const Options& options, Context& context) {
     qInstallMessageHandler(keepQtQuiet);
     const std::unique_ptr<SessionFile> session = SessionFile::open(options.session);
     context.progress.report("reading the session", 0.0);
+    session->requireIntact();
     Inspection inspection(session->load(), *session);
     context.progress.report("writing the report", 0.0);
     // The head before this act: that the report was issued stands in the chain after what it reports.
