@@ -15,6 +15,7 @@
 namespace fodscope {
 namespace {
 
+constexpr int kLeastWidth_px = 264;
 constexpr int kThumbnailWidth_px = 216;
 constexpr std::size_t kMostThumbnails = 4;
 
@@ -52,7 +53,7 @@ std::vector<std::pair<QString, QString>> visitOfCandidate(const InspectionState&
 }  // namespace
 
 EvidencePanel::EvidencePanel(InspectionController& controller, const CommandSet& commands, QWidget* parent)
-    : PanelColumn(parent), controller_(controller) {
+    : PanelColumn(parent, kLeastWidth_px), controller_(controller) {
     setObjectName(QStringLiteral("panel.evidence"));
     empty_ = new EmptyState(this);
     empty_->showEmpty(Icon::Target,

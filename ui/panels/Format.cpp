@@ -86,13 +86,13 @@ StateText stateText(const Visit& visit) {
         case VisitState::Draft:
             return {StatusKind::ToDo, words("to be visited")};
         case VisitState::Sent:
-            return {StatusKind::Running, words("sent, not yet accepted")};
+            return {StatusKind::Running, words("sent")};
         case VisitState::Accepted:
             return {StatusKind::Running, words("accepted")};
         case VisitState::Driving:
             return {StatusKind::Running, words("driving")};
         case VisitState::Arrived:
-            return {StatusKind::Running, words("arrived, photo under way")};
+            return {StatusKind::Running, words("taking the photo")};
         case VisitState::Done:
             return {StatusKind::Clear, words("photographed")};
         case VisitState::Failed:

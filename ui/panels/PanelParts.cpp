@@ -3,6 +3,7 @@
 
 #include <QEvent>
 #include <QScrollBar>
+#include <algorithm>
 
 namespace fodscope {
 
@@ -43,7 +44,7 @@ void FieldList::setFields(const std::vector<ReportField>& fields) {
     setFields(rows);
 }
 
-PanelColumn::PanelColumn(QWidget* parent) : QScrollArea(parent) {
+PanelColumn::PanelColumn(QWidget* parent, int leastWidth_px) : QScrollArea(parent), leastWidth_px_(leastWidth_px) {
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -63,7 +64,7 @@ QSize PanelColumn::sizeHint() const {
 
 QSize PanelColumn::minimumSizeHint() const {
     const int bar = verticalScrollBar()->sizeHint().width();
-    return {widget()->minimumSizeHint().width() + bar, 120};
+    return {std::max(leastWidth_px_, widget()->minimumSizeHint().width() + bar), 120};
 }
 
 bool PanelColumn::eventFilter(QObject* watched, QEvent* event) {

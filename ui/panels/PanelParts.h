@@ -28,7 +28,8 @@ class FieldList : public QWidget {
 /// A column of cards that scrolls when the window is low.
 class PanelColumn : public QScrollArea {
   public:
-    explicit PanelColumn(QWidget* parent = nullptr);
+    /// @param leastWidth_px room for values that would else be wrapped
+    explicit PanelColumn(QWidget* parent = nullptr, int leastWidth_px = 0);
     QVBoxLayout* column() const { return column_; }
     /// Puts something that is no card under the last one, with the margins of a card.
     void addBare(QWidget* widget);
@@ -41,6 +42,7 @@ class PanelColumn : public QScrollArea {
 
   private:
     QVBoxLayout* column_ = nullptr;
+    int leastWidth_px_ = 0;
 };
 
 /// A wrapped sentence in a role.

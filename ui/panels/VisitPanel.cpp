@@ -138,8 +138,10 @@ void VisitPanel::makeDriveCard(const CommandSet& commands) {
     drive_->body()->addLayout(buttons);
     list_ = new QTreeWidget(drive_);
     list_->setObjectName(QStringLiteral("visit.list"));
-    list_->setHeaderLabels({tr("Waypoint"), tr("For"), tr("State")});
+    // Without headings: the words say what they are, and the panel is narrow.
+    list_->setHeaderLabels({QString(), QString(), QString()});
     list_->setHeaderHidden(true);
+    list_->header()->setMinimumSectionSize(24);
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(true);
     list_->setMinimumHeight(140);

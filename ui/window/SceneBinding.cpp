@@ -119,7 +119,7 @@ void SceneBinding::showReference() {
     view_.setReference(reference->points);
     if (heatMap_ && reference->hasCovariance()) {
         ScalarStyle style;
-        style.title = tr("Spread of the nominal maps");
+        style.title = tr("Spread of maps");
         style.unit = QStringLiteral("mm");
         style.displayFactor = 1000.0;
         style.decimals = 0;

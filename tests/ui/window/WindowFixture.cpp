@@ -9,7 +9,7 @@
 namespace fodscope::test {
 namespace {
 
-constexpr int kPatience_ms = 60000;
+constexpr int kPatience_ms = 240000;
 constexpr double kSpacing_m = 0.02;
 
 /// A plate of points from `corner` along two edges.

@@ -165,10 +165,12 @@ TEST_F(Work, KeysGoThroughStepsAndCandidates) {
     EXPECT_FALSE(controller->selectedCandidate().isEmpty());
     QTest::keyClick(window.get(), Qt::Key_Escape);
     EXPECT_TRUE(controller->selectedCandidate().isEmpty());
-    QTest::keyClick(window.get(), Qt::Key_F1);
+    run("help.keys");
     EXPECT_TRUE(find("shortcuts")->isVisible());
     QTest::keyClick(window.get(), Qt::Key_Escape);
     EXPECT_FALSE(find("shortcuts")->isVisible());
+    QTest::keyClick(window.get(), Qt::Key_F1);
+    EXPECT_TRUE(find("manual")->isVisible());
 }
 
 }  // namespace
