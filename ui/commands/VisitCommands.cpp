@@ -22,7 +22,7 @@ bool LoadGridCommand::isAvailable() const {
 }
 
 ConnectWorldRobotCommand::ConnectWorldRobotCommand(CommandContext& context)
-    : Command(context, QStringLiteral("robot.world"), QObject::tr("Simulated robot in a world file…")) {
+    : Command(context, QStringLiteral("robot.world"), QObject::tr("Simulated robot, world file…")) {
     setPicture(Icon::Robot);
 }
 
@@ -37,7 +37,7 @@ bool ConnectWorldRobotCommand::isAvailable() const {
 }
 
 ConnectBuiltinRobotCommand::ConnectBuiltinRobotCommand(CommandContext& context)
-    : Command(context, QStringLiteral("robot.builtin"), QObject::tr("Simulated robot in the built-in tank")) {
+    : Command(context, QStringLiteral("robot.builtin"), QObject::tr("Simulated robot, built-in tank")) {
     setPicture(Icon::Robot);
 }
 

@@ -72,7 +72,7 @@ QVariant CandidateTableModel::headerData(int section, Qt::Orientation orientatio
         case Points:
             return tr("Points");
         case Greatest:
-            return tr("Greatest discrepancy");
+            return tr("Max. discrepancy");
         case State:
             return tr("State");
     }
@@ -179,7 +179,7 @@ CandidateTable::CandidateTable(InspectionController& controller, QWidget* parent
     view_->horizontalHeader()->setHighlightSections(false);
     view_->horizontalHeader()->setStretchLastSection(true);
     view_->horizontalHeader()->setMinimumSectionSize(80);
-    for (const auto& [column, width] : {std::pair{0, 110}, {1, 160}, {2, 110}, {3, 90}, {4, 170}})
+    for (const auto& [column, width] : {std::pair{0, 100}, {1, 144}, {2, 104}, {3, 84}, {4, 144}})
         view_->setColumnWidth(column, width);
     empty_ = new EmptyState(this);
     stack_ = new QStackedLayout(this);

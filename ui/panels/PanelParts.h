@@ -29,7 +29,7 @@ class FieldList : public QWidget {
 class PanelColumn : public QScrollArea {
   public:
     /// @param leastWidth_px room for values that would else be wrapped
-    explicit PanelColumn(QWidget* parent = nullptr, int leastWidth_px = 0);
+    explicit PanelColumn(QWidget* parent = nullptr, int leastWidth_px = 272);
     QVBoxLayout* column() const { return column_; }
     /// Puts something that is no card under the last one, with the margins of a card.
     void addBare(QWidget* widget);

@@ -220,12 +220,14 @@ void VisitPanel::refreshVisits() {
         list_->clear();
         return;
     }
-    const StateText running = runnerText(controller_.visits().runnerState());
-    runner_->setStatus(running.kind, running.word);
     const auto over = std::ranges::count_if(state.visits, [](const Visit& visit) {
         return visit.state == VisitState::Done || visit.state == VisitState::Skipped ||
                visit.state == VisitState::Failed;
     });
+    // A reopened session has no runner, but its visits may all be over.
+    const bool isOver = over == static_cast<std::ptrdiff_t>(state.visits.size());
+    const StateText running = runnerText(isOver ? RunnerState::Finished : controller_.visits().runnerState());
+    runner_->setStatus(running.kind, running.word);
     progress_->setRange(0, std::max<int>(1, static_cast<int>(state.visits.size())));
     progress_->setValue(static_cast<int>(over));
     told_->setText(tr("%1 of %2 visits over, %3")

@@ -150,8 +150,6 @@ void MainWindow::placeDocks() {
                              new EvidencePanel(controller_, *commands_, this), Qt::RightDockWidgetArea);
     tableDock_ = makeDock(QStringLiteral("table"), tr("Candidates"), new CandidateTable(controller_, this),
                           Qt::BottomDockWidgetArea);
-    stepPanels_->setMinimumWidth(272);
-    evidenceDock_->widget()->setMinimumWidth(264);
     tableDock_->widget()->setMinimumHeight(110);
     auto* view = menuBar()->actions().at(2)->menu();
     view->addSeparator();

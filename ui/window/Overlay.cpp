@@ -37,7 +37,8 @@ std::vector<KeyLine> commandKeys(const CommandSet& commands) {
     std::vector<KeyLine> lines;
     for (const Command* command : commands.all()) {
         if (command->shortcut().isEmpty()) continue;
-        lines.push_back({command->shortcut().toString(QKeySequence::NativeText), command->text()});
+        const QString keys = command->shortcut().toString(QKeySequence::NativeText);
+        lines.push_back({QString(keys).replace(QStringLiteral("Backtab"), QStringLiteral("Tab")), command->text()});
     }
     return lines;
 }
