@@ -184,6 +184,7 @@ void Autopilot::savePicture(const QString& name) {
         fail(tr("%1: the picture cannot be written; free some space or choose another folder").arg(file));
         return;
     }
+    emit pictureSaved(file);
     pictureTaken_ = true;
     check();
 }

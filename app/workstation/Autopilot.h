@@ -28,6 +28,8 @@ class Autopilot : public QObject {
   signals:
     void finished();
     void failed(const QString& sentence);
+    /// A picture was saved: the step it shows is done.
+    void pictureSaved(const QString& file);
 
   private:
     struct Stage {

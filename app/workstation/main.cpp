@@ -80,6 +80,10 @@ int main(int argc, char** argv) {
     if (options.autopilot) {
         auto* autopilot =
             new Autopilot(window, controller, QDir(QString::fromStdString(options.screenshots)).absolutePath());
+        QObject::connect(autopilot, &Autopilot::pictureSaved, &application, [](const QString& file) {
+            std::printf("saved %s\n", qPrintable(file));
+            std::fflush(stdout);
+        });
         QObject::connect(autopilot, &Autopilot::finished, &application, &QApplication::quit);
         QObject::connect(autopilot, &Autopilot::failed, &application, [&](const QString& sentence) {
             problem = sentence;
