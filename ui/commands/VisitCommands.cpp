@@ -82,7 +82,7 @@ bool StartVisitsCommand::isAvailable() const {
 
 void StartVisitsCommand::refresh() {
     Command::refresh();
-    setText(controller().candidatesAreFrozen() ? QObject::tr("Next visit") : QObject::tr("Start visits"));
+    setText(controller().candidatesAreFrozen() ? QObject::tr("Resume visits") : QObject::tr("Start visits"));
 }
 
 PauseVisitsCommand::PauseVisitsCommand(CommandContext& context)

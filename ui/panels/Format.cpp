@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QLocale>
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +16,10 @@ QString words(const char* text) {
 }
 
 QString number(double value, int decimals) {
-    return QLocale::c().toString(value, 'f', decimals);
+    const QString digits = QLocale::c().toString(value, 'f', decimals);
+    // What rounds to nothing has no sign.
+    const bool isZero = value < 0.0 && digits.indexOf(QRegularExpression(QStringLiteral("[1-9]"))) < 0;
+    return isZero ? digits.mid(1) : digits;
 }
 
 const QString kUnknown = QStringLiteral("–");

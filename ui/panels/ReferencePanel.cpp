@@ -11,6 +11,8 @@
 namespace fodscope {
 namespace {
 
+constexpr int kShownLines = 9;
+
 std::vector<std::pair<QString, QString>> factsOf(const InspectionState& state) {
     const ReferenceMap& reference = *state.reference;
     std::vector<std::pair<QString, QString>> facts;
@@ -85,7 +87,10 @@ void ReferencePanel::refresh() {
     QStringList lines;
     for (const std::string& line : state.reference->provenance)
         lines << QString::fromStdString(line);
-    made_->setText(lines.mid(0, 8).join(QLatin1Char('\n')));
+    QStringList shown = lines.mid(0, kShownLines);
+    if (const int left = lines.size() - shown.size(); left > 0) shown << tr("and %n more", nullptr, left);
+    made_->setText(shown.join(QLatin1Char('\n')));
+    made_->setToolTip(lines.join(QLatin1Char('\n')));
     made_->setVisible(!lines.isEmpty());
 }
 

@@ -148,6 +148,7 @@ void InspectionController::closeSession() {
     pipeline_ = std::make_shared<DetectionPipeline>();
     map_.reset();
     givenTransform_.reset();
+    settingsWithCovariances_.reset();
     robotStart_.reset();
     givenGrid_.reset();
     robotGrid_.reset();

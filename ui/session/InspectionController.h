@@ -176,6 +176,7 @@ class InspectionController : public QObject {
 
     void adoptSession(std::shared_ptr<SessionFile> file, InspectionState state);
     void adoptReference(const LoadedReference& loaded);
+    void chooseMetricFor(const ReferenceMap& reference);
     void adoptBuiltinRobot(const BuiltinInspection& builtin);
     void adoptMap(const SourceFile& source, const LoadedMap& map);
     void afterInputChanged();
@@ -200,6 +201,8 @@ class InspectionController : public QObject {
     double meshScale_ = 1.0;
     std::optional<LoadedMap> map_;
     std::optional<Transform> givenTransform_;
+    /// What was chosen before a reference without covariances took Mahalanobis away.
+    std::optional<CandidateSettings> settingsWithCovariances_;
     std::shared_ptr<const CandidateSet> preview_;
     CandidateSettings previewSettings_;
     std::vector<CandidateVerdict> verdicts_;

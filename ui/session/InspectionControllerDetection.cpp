@@ -50,17 +50,30 @@ void InspectionController::loadReference(const ReferenceRequest& request) {
 
 void InspectionController::adoptReference(const LoadedReference& loaded) {
     inspection_->setReference(loaded.source, loaded.reference);
-    const bool wantsCovariance = state().parameters.candidates.metric == Metric::Mahalanobis;
-    if (!loaded.reference->hasCovariance() && wantsCovariance) {
-        Parameters parameters = state().parameters;
-        parameters.candidates = paperPhysicalCandidateSettings(Metric::Euclidean);
-        inspection_->setParameters(parameters);
-        emit parametersChanged();
-        emit noticeRaised(tr("This reference has no covariances, so the Euclidean discrepancy is used."));
-    }
+    chooseMetricFor(*loaded.reference);
     afterInputChanged();
     emit referenceChanged();
     if (map_) detect();
+}
+
+void InspectionController::chooseMetricFor(const ReferenceMap& reference) {
+    const CandidateSettings euclidean = paperPhysicalCandidateSettings(Metric::Euclidean);
+    Parameters parameters = state().parameters;
+    if (!reference.hasCovariance() && parameters.candidates.metric == Metric::Mahalanobis) {
+        settingsWithCovariances_ = std::exchange(parameters.candidates, euclidean);
+        inspection_->setParameters(parameters);
+        emit parametersChanged();
+        emit noticeRaised(tr("This reference has no covariances, so the Euclidean discrepancy is used."));
+    } else if (reference.hasCovariance() && settingsWithCovariances_) {
+        // What was given up only for want of covariances comes back with them, unless the operator chose since.
+        const bool wasChosenSince = parameters.candidates != euclidean;
+        const CandidateSettings before = *std::exchange(settingsWithCovariances_, std::nullopt);
+        if (wasChosenSince) return;
+        parameters.candidates = before;
+        inspection_->setParameters(parameters);
+        emit parametersChanged();
+        emit noticeRaised(tr("This reference has covariances, so the Mahalanobis discrepancy is used again."));
+    }
 }
 
 void InspectionController::afterInputChanged() {
