@@ -187,11 +187,7 @@ void LabellingLayout::makeKeys(const LabelSet& labelSet, const LabelTaken& taken
 
 void LabellingLayout::showHeader(const LabelPhoto& photo, PhotoState photoState, const Decision* decision) {
     title->setText(QString::fromStdString(photo.id));
-    QStringList candidates;
-    for (const std::string& id : photo.candidateIds)
-        candidates << QString::fromStdString(id);
-    QStringList words;
-    if (!candidates.isEmpty()) words << QObject::tr("shows %1").arg(candidates.join(QStringLiteral(", ")));
+    QStringList words = shownInWords(photo);
     if (!photo.waypointId.empty()) words << QObject::tr("from %1").arg(QString::fromStdString(photo.waypointId));
     if (photo.taken.milliseconds > 0) {
         words << QObject::tr("%1 UTC").arg(QString::fromStdString(toIso8601(photo.taken)).mid(11, 8));

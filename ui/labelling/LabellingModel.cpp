@@ -20,10 +20,26 @@ std::vector<LabelPhoto> labelPhotos(const InspectionState& state) {
         item.taken = photo.taken;
         item.bytes =
             QByteArray(reinterpret_cast<const char*>(photo.bytes.data()), static_cast<int>(photo.bytes.size()));
-        if (state.detection) item.outlines = candidateOutlines(*state.detection, photo);
+        item.isOutlined = state.detection && state.detection->field && state.detection->candidates &&
+                          photo.intrinsics.width_px > 0 && photo.intrinsics.fx_px > 0.0;
+        if (item.isOutlined) item.outlines = candidateOutlines(*state.detection, photo);
         photos.push_back(std::move(item));
     }
     return photos;
+}
+
+QStringList shownInWords(const LabelPhoto& photo) {
+    QStringList shown;
+    QStringList outside;
+    for (const std::string& id : photo.candidateIds) {
+        const auto outline = std::ranges::find(photo.outlines, id, &CandidateOutline::candidateId);
+        const bool isOutside = photo.isOutlined && (outline == photo.outlines.end() || outline->polygon_px.isEmpty());
+        (isOutside ? outside : shown) << QString::fromStdString(id);
+    }
+    QStringList words;
+    if (!shown.isEmpty()) words << QObject::tr("shows %1").arg(shown.join(QStringLiteral(", ")));
+    if (!outside.isEmpty()) words << QObject::tr("outside the picture: %1").arg(outside.join(QStringLiteral(", ")));
+    return words;
 }
 
 QString toWords(PhotoState state) {

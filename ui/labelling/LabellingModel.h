@@ -23,11 +23,16 @@ struct LabelPhoto {
     UtcTime taken;
     /// JPEG or PNG as received.
     QByteArray bytes;
+    /// Those of its candidates that lie in the picture, when its camera is known.
     std::vector<CandidateOutline> outlines;
+    bool isOutlined = false;
 };
 
 /// @return the photos of an inspection with their outlines, in order of arrival
 std::vector<LabelPhoto> labelPhotos(const InspectionState& state);
+
+/// @return which candidates the photo shows, and which it was taken for but does not show
+QStringList shownInWords(const LabelPhoto& photo);
 
 /// What a labeller has said of a photo. Other readers' decisions stay hidden: readers are blind to each other.
 enum class PhotoState { Undecided, NotSure, NoFod, Fod };

@@ -222,14 +222,11 @@ bool ThumbnailStrip::event(QEvent* event) {
         QToolTip::hideText();
         return true;
     }
-    QStringList candidates;
     const LabelPhoto& photo = (*photos_)[static_cast<std::size_t>(index)];
-    for (const std::string& id : photo.candidateIds)
-        candidates << QString::fromStdString(id);
     QToolTip::showText(help->globalPos(),
-                       tr("%1 · %2\nshows %3")
+                       QStringLiteral("%1 · %2\n%3")
                            .arg(QString::fromStdString(photo.id), toWords(states_[static_cast<std::size_t>(index)]),
-                                candidates.join(QStringLiteral(", "))),
+                                shownInWords(photo).join(QStringLiteral(" · "))),
                        this);
     return true;
 }

@@ -41,6 +41,10 @@ QString percent(double share, int decimals) {
     return number(std::floor(share * 100.0 * unit + 1e-9) / unit, decimals) + QStringLiteral(" %");
 }
 
+QString observedText(double share) {
+    return percent(std::floor(share * 100.0 + 1e-9) / 100.0);
+}
+
 QString count(std::size_t number) {
     QString digits = QString::number(number);
     for (int i = digits.size() - 3; i > 0; i -= 3)

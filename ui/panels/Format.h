@@ -13,6 +13,8 @@ namespace fodscope {
 /// Numbers with their units, as all panels write them.
 QString centimetres(double metres, int decimals = 1);
 QString millimetres(double metres, int decimals = 0);
+/// Never rounded up, as in the report: 99.98 % is not all.
+QString observedText(double share);
 QString percent(double share, int decimals = 0);
 /// 1 234 567 with thin spaces.
 QString count(std::size_t number);

@@ -110,7 +110,7 @@ void MapPanel::refreshAlignment() {
     std::vector<std::pair<QString, QString>> measures;
     if (state.detection->coverage)
         measures.emplace_back(tr("Observed"),
-                              tr("%1 of the reference").arg(percent(state.detection->coverage->observedShare)));
+                              tr("%1 of the reference").arg(observedText(state.detection->coverage->observedShare)));
     measures_->setFields(measures);
 }
 

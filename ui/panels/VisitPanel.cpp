@@ -31,13 +31,29 @@ QString poseText(const Pose2& pose) {
              QString::number(degreesFromRadians(pose.yaw_rad), 'f', 0));
 }
 
-StateText runnerText(RunnerState state) {
+bool isUnderWay(const Visit& visit) {
+    return visit.state == VisitState::Sent || visit.state == VisitState::Accepted ||
+           visit.state == VisitState::Driving || visit.state == VisitState::Arrived;
+}
+
+bool isOver(const Visit& visit) {
+    return visit.state == VisitState::Done || visit.state == VisitState::Skipped || visit.state == VisitState::Failed;
+}
+
+StateText runnerText(RunnerState state, const std::vector<Visit>& visits) {
     switch (state) {
         case RunnerState::Idle:
+            if (const auto over = std::ranges::count_if(visits, isOver); over > 0) {
+                const bool all = over == static_cast<std::ptrdiff_t>(visits.size());
+                return all ? StateText{StatusKind::Clear, QObject::tr("finished")}
+                           : StateText{StatusKind::Attention, QObject::tr("interrupted")};
+            }
             return {StatusKind::ToDo, QObject::tr("not started")};
         case RunnerState::Running:
             return {StatusKind::Running, QObject::tr("driving")};
         case RunnerState::Paused:
+            if (std::ranges::any_of(visits, isUnderWay))
+                return {StatusKind::Running, QObject::tr("pauses after this visit")};
             return {StatusKind::Attention, QObject::tr("paused")};
         case RunnerState::Finished:
             return {StatusKind::Clear, QObject::tr("finished")};
@@ -220,14 +236,9 @@ void VisitPanel::refreshVisits() {
         list_->clear();
         return;
     }
-    const auto over = std::ranges::count_if(state.visits, [](const Visit& visit) {
-        return visit.state == VisitState::Done || visit.state == VisitState::Skipped ||
-               visit.state == VisitState::Failed;
-    });
-    // A reopened session has no runner, but its visits may all be over.
-    const bool isOver = over == static_cast<std::ptrdiff_t>(state.visits.size());
-    const StateText running = runnerText(isOver ? RunnerState::Finished : controller_.visits().runnerState());
+    const StateText running = runnerText(controller_.visits().runnerState(), state.visits);
     runner_->setStatus(running.kind, running.word);
+    const auto over = std::ranges::count_if(state.visits, isOver);
     progress_->setRange(0, std::max<int>(1, static_cast<int>(state.visits.size())));
     progress_->setValue(static_cast<int>(over));
     told_->setText(tr("%1 of %2 visits over, %3")

@@ -157,6 +157,7 @@ void InspectionController::closeSession() {
     verdicts_.clear();
     selected_.clear();
     selectedPhoto_.clear();
+    setProbe({});
     emit sessionChanged();
     emit historyChanged();
     emit stepsChanged();

@@ -81,6 +81,8 @@ MainWindow::MainWindow(InspectionController& controller, FileDialogs& files, QWi
         addAction(command);
     commands_->find(QStringLiteral("robot.stop"))->setShortcutContext(Qt::ApplicationShortcut);
     commands_->fillMenuBar(*menuBar());
+    // Before the panels hear of it: what they choose on opening a session must not move the step it was left at.
+    connect(&controller_, &InspectionController::sessionChanged, this, [this] { followsPhotos_ = false; });
     centre_ = new Centre(controller, *commands_, this);
     setCentralWidget(centre_);
     placeTitle();
@@ -173,7 +175,7 @@ void MainWindow::followController() {
     connect(&controller_, &InspectionController::builtinTankReady, this, [this] { showStep(Step::Candidates); });
     connect(&controller_, &InspectionController::photoSelectionChanged, this, [this](const QString& photo) {
         // A thumbnail was chosen somewhere else: show the photo large. While driving, photos only arrive.
-        if (!photo.isEmpty() && step_ != Step::Visit && step_ != Step::Report) showStep(Step::Label);
+        if (followsPhotos_ && !photo.isEmpty() && step_ != Step::Visit && step_ != Step::Report) showStep(Step::Label);
     });
     connect(&centre_->startPage(), &StartPage::sessionChosen, &controller_, &InspectionController::openSession);
 }
@@ -184,6 +186,7 @@ void MainWindow::takeSession() {
                                         : QStringLiteral("Fodscope"));
     showStep(controller_.isOpen() ? RecentSessions().stepOf(state.header.id).value_or(firstOpenStep(state))
                                   : Step::Reference);
+    followsPhotos_ = true;
 }
 
 void MainWindow::showStep(Step step) {

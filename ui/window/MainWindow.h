@@ -78,6 +78,7 @@ class MainWindow : public QMainWindow, private Navigation {
     /// Made when it is first asked for.
     ManualWindow* manual_ = nullptr;
     bool placingDocks_ = false;
+    bool followsPhotos_ = false;
 };
 
 }  // namespace fodscope
