@@ -29,6 +29,17 @@ std::vector<LabelPhoto> photos(int count) {
     return list;
 }
 
+TEST(LabelPhotoWords, CandidateOutsideThePictureIsNeverSaidToBeShown) {
+    LabelPhoto photo;
+    photo.candidateIds = {"C-001", "C-002"};
+    EXPECT_EQ(shownInWords(photo).join("; "), "shows C-001, C-002") << "without a camera nothing is known of it";
+    photo.isOutlined = true;
+    photo.outlines = {{"C-001", QPolygonF(QRectF(0, 0, 10, 10))}};
+    EXPECT_EQ(shownInWords(photo).join("; "), "shows C-001; outside the picture: C-002");
+    photo.outlines.clear();
+    EXPECT_EQ(shownInWords(photo).join("; "), "outside the picture: C-001, C-002");
+}
+
 TEST(LabelKeys, DigitsAndLettersOfEitherCaseGiveTheirLabel) {
     const LabelSet labels = toolLabels();
     EXPECT_EQ(labelForKey(labels, Qt::Key_1)->name, "hammer");

@@ -2,6 +2,7 @@
 #include <QBuffer>
 #include <QImage>
 
+#include "core/reference/ReferenceMapIo.h"
 #include "tests/fakes/SampleInspection.h"
 #include "tests/ui/window/WindowFixture.h"
 
@@ -48,6 +49,35 @@ TEST_F(Work, ReferenceWithoutCovarianceIsUsedWithTheEuclideanMetric) {
     EXPECT_FALSE(banner().isEmpty());
     EXPECT_EQ(controller->state().parameters.candidates.metric, Metric::Euclidean);
     EXPECT_TRUE(find<QPushButton>("button.metric.euclidean")->isChecked());
+}
+
+TEST_F(Work, MahalanobisComesBackWithAReferenceThatHasCovariances) {
+    detectRoom();
+    ASSERT_EQ(controller->state().parameters.candidates.metric, Metric::Euclidean);
+    ReferenceMap trained = readReferenceMap(file("reference.ply").toStdString());
+    trained.covariance.assign(trained.size(), Eigen::Matrix3d::Identity() * 1e-4);
+    trained.untrained.assign(trained.size(), 0);
+    writeReferenceMap(file("trained.ply").toStdString(), trained);
+    files.next = file("trained.ply");
+    run("reference.load");
+    ASSERT_TRUE(waitUntilIdle());
+    EXPECT_TRUE(banner().isEmpty()) << qPrintable(banner());
+    EXPECT_EQ(controller->state().parameters.candidates.metric, Metric::Mahalanobis);
+}
+
+TEST_F(Work, EuclideanChosenByTheOperatorStays) {
+    detectRoom();
+    run("threshold.up");
+    ASSERT_TRUE(waitUntilIdle());
+    const CandidateSettings chosen = controller->state().parameters.candidates;
+    ReferenceMap trained = readReferenceMap(file("reference.ply").toStdString());
+    trained.covariance.assign(trained.size(), Eigen::Matrix3d::Identity() * 1e-4);
+    trained.untrained.assign(trained.size(), 0);
+    writeReferenceMap(file("trained.ply").toStdString(), trained);
+    files.next = file("trained.ply");
+    run("reference.load");
+    ASSERT_TRUE(waitUntilIdle());
+    EXPECT_EQ(controller->state().parameters.candidates, chosen);
 }
 
 TEST_F(Work, CandidatesFollowTheSliderAndAreKeptWhenItIsLetGo) {
@@ -115,6 +145,20 @@ TEST_F(Work, ReopenedSessionShowsEverythingFromItsFileAlone) {
     run("threshold.up");
     ASSERT_TRUE(waitUntilIdle());
     EXPECT_TRUE(banner().isEmpty()) << qPrintable(banner());
+}
+
+TEST_F(Work, SessionWithPhotosReopensAtTheStepItWasLeftAt) {
+    detectRoom();
+    const std::string candidate = controller->state().detection->candidates->candidates.front().id;
+    emit controller->visits().photoArrived(samplePhoto("W-01", candidate, picture()));
+    controller->setProbe({{"Layer", "Map"}});
+    run("step.6");
+    run("session.close");
+    EXPECT_TRUE(controller->probe().empty());
+    files.next = file("inspection.fodscope");
+    run("session.open");
+    ASSERT_TRUE(waitUntilIdle());
+    EXPECT_EQ(window->currentStep(), Step::Report);
 }
 
 TEST_F(Work, FrontPageOfTheReportIsKept) {
