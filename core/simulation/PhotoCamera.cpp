@@ -97,21 +97,24 @@ bool isEdge(const Sample& a, const Sample& b) {
 }
 
 /// One ray a pixel, and four more where neighbours differ, so that outlines are smooth.
-std::vector<Eigen::Vector3f> renderLight(const Shader& shader, int width, int height) {
+std::vector<Eigen::Vector3f> renderLight(const Shader& shader, int width, int height, const Progress& progress) {
     const auto index = [width](int column, int row) {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
     };
     std::vector<Sample> samples(index(0, height));
     tbb::parallel_for(tbb::blocked_range<int>(0, height, 8), [&](const tbb::blocked_range<int>& rows) {
-        for (int row = rows.begin(); row < rows.end(); ++row)
+        for (int row = rows.begin(); row < rows.end(); ++row) {
+            progress.throwIfCancelled();
             for (int column = 0; column < width; ++column)
                 samples[index(column, row)] = shader.sample(column + 0.5, row + 0.5);
+        }
     });
     std::vector<Eigen::Vector3f> light(samples.size());
     constexpr std::array<std::array<double, 2>, 4> kOffsets{
         {{0.125, 0.375}, {0.375, 0.875}, {0.625, 0.125}, {0.875, 0.625}}};
     tbb::parallel_for(tbb::blocked_range<int>(0, height, 8), [&](const tbb::blocked_range<int>& rows) {
         for (int row = rows.begin(); row < rows.end(); ++row) {
+            progress.throwIfCancelled();
             for (int column = 0; column < width; ++column) {
                 const Sample& here = samples[index(column, row)];
                 Eigen::Vector3f sum = here.light;
@@ -214,12 +217,14 @@ Transform cameraPose(const Pose2& robot, const PhotoCameraSettings& settings) {
 }
 
 std::vector<std::byte> renderPhoto(const World&, const Raycaster& raycaster, const Transform& T_world_from_camera,
-                                   const PhotoCameraSettings& settings) {
+                                   const PhotoCameraSettings& settings, const Progress& progress) {
     const CameraIntrinsics intrinsics = intrinsicsOf(settings);
     requireImage(intrinsics);
     const Shader shader(raycaster, T_world_from_camera, intrinsics);
-    const std::vector<Eigen::Vector3f> light = renderLight(shader, settings.width_px, settings.height_px);
+    const std::vector<Eigen::Vector3f> light = renderLight(shader, settings.width_px, settings.height_px, progress);
+    progress.throwIfCancelled();
     const cv::Mat image = develop(light, settings.width_px, settings.height_px, settings.seed);
+    progress.throwIfCancelled();
     std::vector<unsigned char> jpeg;
     if (!cv::imencode(".jpg", image, jpeg, {cv::IMWRITE_JPEG_QUALITY, 92}))
         throw Error("photo camera", "the image could not be written as JPEG", "install OpenCV with JPEG support");

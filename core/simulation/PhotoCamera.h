@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/common/Progress.h"
 #include "core/robot/Photo.h"
 #include "core/simulation/Raycaster.h"
 
@@ -26,8 +27,9 @@ CameraIntrinsics intrinsicsOf(const PhotoCameraSettings& settings);
 Transform cameraPose(const Pose2& robot, const PhotoCameraSettings& settings);
 
 /// A colour image as JPEG: headlight with distance and angle fall-off, paint, rust, noise.
+/// @throws Cancelled within a few rows of the image
 std::vector<std::byte> renderPhoto(const World& world, const Raycaster& raycaster, const Transform& T_world_from_camera,
-                                   const PhotoCameraSettings& settings);
+                                   const PhotoCameraSettings& settings, const Progress& progress = Progress());
 
 /// @return for each object of the world how many pixels of such a photo show it
 std::vector<std::size_t> visiblePixels(const World& world, const Raycaster& raycaster,

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/common/Error.h"
+#include "core/common/Progress.h"
 #include "core/simulation/DriveMotion.h"
 #include "core/simulation/Raycaster.h"
 
@@ -30,15 +31,45 @@ class Studio {
   public:
     explicit Studio(std::shared_ptr<const World> world) : world_(std::move(world)) {}
 
-    std::vector<std::byte> photograph(const Transform& T_map_from_camera, const PhotoCameraSettings& camera) {
+    std::vector<std::byte> photograph(const Transform& T_map_from_camera, const PhotoCameraSettings& camera,
+                                      const Progress& progress) {
+        progress.throwIfCancelled();
         std::call_once(built_, [this] { raycaster_ = std::make_unique<Raycaster>(*world_); });
-        return renderPhoto(*world_, *raycaster_, world_->T_map_from_world.inverse() * T_map_from_camera, camera);
+        return renderPhoto(*world_, *raycaster_, world_->T_map_from_world.inverse() * T_map_from_camera, camera,
+                           progress);
     }
 
   private:
     std::shared_ptr<const World> world_;
     std::once_flag built_;
     std::unique_ptr<Raycaster> raycaster_;
+};
+
+/// A photo that is being made. Who no longer wants it destroys it and does not wait for its last row.
+class Rendering {
+  public:
+    Rendering() = default;
+    Rendering(std::shared_ptr<Studio> studio, const Transform& T_map_from_camera, const PhotoCameraSettings& camera)
+        : progress_(std::make_shared<Progress>()),
+          bytes_(std::async(std::launch::async,
+                            [studio = std::move(studio), T_map_from_camera, camera, progress = progress_] {
+                                return studio->photograph(T_map_from_camera, camera, *progress);
+                            })) {}
+    ~Rendering() {
+        if (progress_) progress_->cancel();
+    }
+    Rendering(Rendering&&) = default;
+    Rendering& operator=(Rendering&&) = default;
+
+    bool hasBegun() const { return bytes_.valid(); }
+    bool isDoneWithin(std::chrono::milliseconds time) const {
+        return bytes_.wait_for(time) == std::future_status::ready;
+    }
+    std::vector<std::byte> take() { return bytes_.get(); }
+
+  private:
+    std::shared_ptr<Progress> progress_;
+    std::future<std::vector<std::byte>> bytes_;
 };
 
 class SimulatedRobot : public RobotLink {
@@ -78,7 +109,7 @@ class SimulatedRobot : public RobotLink {
         std::optional<double> requested_s;
         double due_s = 0.0;
         Photo photo;
-        std::future<std::vector<std::byte>> bytes;
+        Rendering rendering;
     };
 
     bool isMoving() const { return drive_ && drive_->motion; }
@@ -214,20 +245,18 @@ void SimulatedRobot::expose(Exposure& exposure, double now_s) {
     photo.T_map_from_camera = cameraPose(pose_map_, camera);
     photo.intrinsics = intrinsicsOf(camera);
     photo.mediaType = "image/jpeg";
-    exposure.bytes = std::async(std::launch::async, [studio = studio_, T = photo.T_map_from_camera, camera] {
-        return studio->photograph(T, camera);
-    });
+    exposure.rendering = Rendering(studio_, photo.T_map_from_camera, camera);
 }
 
 void SimulatedRobot::develop(double now_s) {
     for (Exposure& exposure : exposures_) {
-        if (!exposure.bytes.valid() && !isMoving()) expose(exposure, now_s);
+        if (!exposure.rendering.hasBegun() && !isMoving()) expose(exposure, now_s);
     }
     const auto done = std::stable_partition(exposures_.begin(), exposures_.end(),
                                             [&](const Exposure& exposure) { return !isDeveloped(exposure, now_s); });
     for (auto exposure = done; exposure != exposures_.end(); ++exposure) {
         try {
-            exposure->photo.bytes = exposure->bytes.get();
+            exposure->photo.bytes = exposure->rendering.take();
             events_.emplace_back(PhotoReceived{exposure->requestId, std::move(exposure->photo)});
         } catch (const std::exception& problem) {
             events_.emplace_back(PhotoFailed{exposure->requestId, PhotoFailure::Missing, problem.what()});
@@ -237,9 +266,14 @@ void SimulatedRobot::develop(double now_s) {
 }
 
 bool SimulatedRobot::isDeveloped(const Exposure& exposure, double now_s) const {
-    if (!exposure.bytes.valid() || now_s < exposure.due_s) return false;
-    if (settings_.waitForRendering) exposure.bytes.wait();
-    return exposure.bytes.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    constexpr std::chrono::milliseconds kShortWait(20);
+    const Rendering& rendering = exposure.rendering;
+    if (!rendering.hasBegun() || now_s < exposure.due_s) return false;
+    if (!settings_.waitForRendering) return rendering.isDoneWithin(std::chrono::milliseconds(0));
+    do {
+        if (settings_.isWaitOver && settings_.isWaitOver()) return false;
+    } while (!rendering.isDoneWithin(kShortWait));
+    return true;
 }
 
 RobotState SimulatedRobot::state() const {

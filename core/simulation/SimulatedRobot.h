@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -20,6 +21,8 @@ struct SimulatedRobotSettings {
     /// Photos are rendered in a thread of their own. With a clock faster than real time a photo would be late for no
     /// fault of the robot: then poll() waits for the one that is due.
     bool waitForRendering = false;
+    /// Ends that wait, and the photo comes with a later poll(); asked some fifty times a second. Empty: never.
+    std::function<bool()> isWaitOver;
 };
 
 /// A robot that behaves: it confirms goals, drives the cost map's paths at a robot's speed and takes photos of the

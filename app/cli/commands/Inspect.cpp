@@ -93,6 +93,7 @@ void execute(const Options& options, Context& context) {
     const AutomaticLabeller labeller = labellerFor(options, world, labelSet, *run.result.candidates);
     SimulatedRobotSettings robotSettings;
     robotSettings.waitForRendering = true;
+    robotSettings.isWaitOver = [&context] { return context.progress.isCancelled(); };
     const std::unique_ptr<RobotLink> robot =
         makeSimulatedRobot(world, grid_map, run.map.cloud, run.parameters.costMap, robotSettings);
 

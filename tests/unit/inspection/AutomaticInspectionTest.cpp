@@ -149,6 +149,21 @@ TEST_F(Automatic, CancellingStopsTheRobot) {
     EXPECT_GE(robot.cancels, 1);
 }
 
+TEST_F(Automatic, CancellingDoesNotWaitForThePhotoUnderWay) {
+    Inspection inspection({}, journal_);
+    SimulatedRobotSettings settings;
+    settings.waitForRendering = true;
+    settings.isWaitOver = [this] {
+        progress_.cancel();
+        return true;
+    };
+    const auto robot = makeSimulatedRobot(world_, input_.grid_map, nullptr, input_.parameters.costMap, settings);
+    EXPECT_THROW(inspectAutomatically(input_, *robot, labeller_, inspection, progress_), Cancelled);
+    EXPECT_TRUE(inspection.state().photos.empty());
+    for (const Visit& visit : inspection.state().visits)
+        EXPECT_NE(visit.state, VisitState::Done);
+}
+
 TEST_F(Automatic, AFullDiskEndsTheInspectionWithItsReason) {
     Inspection inspection({}, journal_);
     journal_.diskIsFull = true;

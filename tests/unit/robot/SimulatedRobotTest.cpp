@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <opencv2/imgcodecs.hpp>
@@ -203,6 +204,44 @@ TEST(SimulatedRobot, takesPhotosOnlyWhileItStands) {
     ASSERT_NE(received, nullptr);
     ASSERT_NE(robot.find<GoalArrived>(), nullptr);
     EXPECT_TRUE(received->photo.T_map_from_camera.isApprox(cameraPose({2.0, 2.0, 0.0}, quickSettings().camera)));
+}
+
+TEST(SimulatedRobot, whoEndsTheWaitForAPhotoGetsItLater) {
+    bool isOver = true;
+    SimulatedRobotSettings settings = quickSettings();
+    settings.isWaitOver = [&isOver] { return isOver; };
+    const auto link = makeSimulatedRobot(floorWithSheet(), walledRoom(80, 80), nullptr, {}, settings);
+    const auto photoOf = [](const std::vector<RobotEvent>& events) {
+        return std::ranges::count_if(events, [](const RobotEvent& event) {
+            return std::holds_alternative<PhotoReceived>(event) || std::holds_alternative<PhotoFailed>(event);
+        });
+    };
+    link->connect();
+    link->poll(1.0);
+    link->requestPhoto("R-1");
+    EXPECT_EQ(photoOf(link->poll(2.0)), 0);
+    isOver = false;
+    const std::vector<RobotEvent> events = link->poll(2.0);
+    ASSERT_EQ(photoOf(events), 1);
+    EXPECT_EQ(std::get<PhotoReceived>(events[0]).requestId, "R-1");
+}
+
+TEST(SimulatedRobot, aPhotoUnderWayIsGivenUpWithTheConnection) {
+    SimulatedRobotSettings settings = quickSettings();
+    // Large enough that it cannot be done when it is given up.
+    settings.camera.width_px = 2048;
+    settings.camera.height_px = 2048;
+    settings.isWaitOver = [] { return true; };
+    const auto link = makeSimulatedRobot(floorWithSheet(), walledRoom(80, 80), nullptr, {}, settings);
+    link->connect();
+    link->poll(1.0);
+    link->requestPhoto("R-1");
+    link->disconnect();
+    link->connect();
+    for (const RobotEvent& event : link->poll(20.0)) {
+        EXPECT_FALSE(std::holds_alternative<PhotoReceived>(event));
+        EXPECT_FALSE(std::holds_alternative<PhotoFailed>(event));
+    }
 }
 
 TEST(SimulatedRobot, answersWithTheMapAndGridItWasGiven) {

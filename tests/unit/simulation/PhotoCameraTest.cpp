@@ -121,6 +121,13 @@ std::size_t pixelsOnRectangle(const CameraIntrinsics& k, double z, double left, 
     return count;
 }
 
+TEST(PhotoCamera, CanBeCancelled) {
+    const World world = test::room();
+    Progress progress;
+    progress.cancel();
+    EXPECT_THROW(renderPhoto(world, Raycaster(world), cameraPose({1.0, 1.0, 0.0}, {}), {}, progress), Cancelled);
+}
+
 TEST(VisiblePixels, AgreeWithABoxProjectedByHand) {
     World world;
     // A thin plate 0.8 m ahead of a camera that looks along world x: right is −y, down is −z.
