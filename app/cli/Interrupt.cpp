@@ -1,28 +1,45 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/Interrupt.h"
 
-#include <ctime>
+#include <pthread.h>
 
 namespace fodscope::cli {
+namespace {
 
-Interrupt::Interrupt(Progress& progress) {
-    sigemptyset(&signals_);
-    sigaddset(&signals_, SIGINT);
-    sigaddset(&signals_, SIGTERM);
-    pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
+sigset_t interruptSignals() {
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGINT);
+    sigaddset(&signals, SIGTERM);
+    return signals;
+}
+
+void blockInterrupts() {
+    const sigset_t signals = interruptSignals();
+    pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+}
+
+/// Runs before the constructors of the libraries, which take longer than main() needs to begin: who interrupts
+/// meanwhile is heard as soon as an Interrupt waits.
+[[gnu::section(".preinit_array"), gnu::used]] void (*const kBlockInterruptsFirst)() = blockInterrupts;
+
+}  // namespace
+
+Interrupt::Interrupt(Progress& progress) : signals_(interruptSignals()) {
+    blockInterrupts();
     waiter_ = std::thread([this, &progress] { wait(progress); });
 }
 
 Interrupt::~Interrupt() {
     done_ = true;
+    // To this thread alone, to end its wait.
+    pthread_kill(waiter_.native_handle(), SIGTERM);
     waiter_.join();
 }
 
 void Interrupt::wait(Progress& progress) {
-    constexpr timespec kShortWait{0, 50'000'000};
     bool asked = false;
-    while (!done_) {
-        if (sigtimedwait(&signals_, nullptr, &kShortWait) <= 0) continue;
+    for (int signal = 0; sigwait(&signals_, &signal) == 0 && !done_;) {
         if (asked) {
             // Who asks twice does not want to wait for the stage to notice.
             pthread_sigmask(SIG_UNBLOCK, &signals_, nullptr);

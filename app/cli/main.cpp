@@ -32,9 +32,7 @@ int fail(ExitCode code, const std::string& text) {
     return code;
 }
 
-int execute(const fodscope::cli::Run& run) {
-    fodscope::Progress progress(fodscope::cli::consoleProgress());
-    const fodscope::cli::Interrupt interrupt(progress);
+int execute(const fodscope::cli::Run& run, fodscope::Progress& progress) {
     try {
         std::ostringstream out;
         fodscope::cli::Context context{progress, out, std::cerr};
@@ -59,6 +57,8 @@ int execute(const fodscope::cli::Run& run) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    fodscope::Progress progress(fodscope::cli::consoleProgress());
+    const fodscope::cli::Interrupt interrupt(progress);
     CLI::App program(
         "Fodscope finds foreign object debris: it compares maps, lists candidates and records inspections.",
         "fodscope-cli");
@@ -71,5 +71,5 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return program.exit(error) == 0 ? kDone : kWrongUsage;
     }
-    return execute(run);
+    return execute(run, progress);
 }

@@ -22,5 +22,18 @@ TEST(Cancel, AnInterruptEndsTheWorkAndLeavesNothingBehind) {
     EXPECT_FALSE(std::filesystem::exists(out));
 }
 
+TEST(Cancel, AnInterruptRightAfterTheStartIsHeardToo) {
+    TestFolder folder;
+    const std::filesystem::path out = folder / "out";
+    Program program({"simulate", "--world", "builtin", "--kind", "nominal", "--count", "1000", "--out", out.string()});
+    while (program.isRunning() && !program.hearsInterrupts())
+        sched_yield();
+    program.interrupt();
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.exitCode, 3) << outcome.err;
+    EXPECT_EQ(outcome.err, "cancelled\n");
+    EXPECT_FALSE(std::filesystem::exists(out));
+}
+
 }  // namespace
 }  // namespace fodscope::test

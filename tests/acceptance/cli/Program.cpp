@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <fstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -56,6 +57,15 @@ Program::~Program() {
 
 void Program::interrupt() const {
     ::kill(process_, SIGINT);
+}
+
+bool Program::hearsInterrupts() const {
+    std::ifstream status("/proc/" + std::to_string(process_) + "/status");
+    for (std::string line; std::getline(status, line);) {
+        if (!line.starts_with("SigBlk:")) continue;
+        return ((std::stoull(line.substr(7), nullptr, 16) >> (SIGINT - 1)) & 1U) != 0;
+    }
+    return false;
 }
 
 bool Program::isRunning() {

@@ -41,6 +41,8 @@ class Program {
     Program& operator=(const Program&) = delete;
 
     void interrupt() const;
+    /// @return whether an interrupt no longer ends the program by itself
+    bool hearsInterrupts() const;
     bool isRunning();
     Outcome wait();
 
