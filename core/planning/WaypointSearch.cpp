@@ -15,33 +15,40 @@ struct Tally {
     int nearWall = 0;
     int clear = 0;
     int reachable = 0;
+    /// Some clear pose sees the target, but the robot cannot get there.
+    bool isSeenFromBeyondReach = false;
 };
 
 /// What stopped the poses that came farthest through the tests: the most helpful reason to show.
 WaypointStatus reasonFrom(const Tally& tally) {
     if (tally.inGrid == 0) return WaypointStatus::OutsideGrid;
+    // The rings widen into the reachable floor even where the target stands in another compartment.
+    if (tally.isSeenFromBeyondReach) return WaypointStatus::Unreachable;
     if (tally.reachable > 0) return WaypointStatus::Hidden;
     if (tally.clear > 0 || tally.onUnknown > tally.nearWall) return WaypointStatus::Unreachable;
     return WaypointStatus::TooCloseToWall;
 }
 
-bool isClearPose(const Eigen::Vector2d& place_map, const CostMap& collision, double threshold_percent, Tally& tally) {
+enum class Standing { Blocked, BeyondReach, Reachable };
+
+Standing standingAt(const Eigen::Vector2d& place_map, const CostMap& collision, double threshold_percent,
+                    Tally& tally) {
     const CellIndex index = collision.grid.cellAt(place_map);
-    if (!collision.grid.contains(index)) return false;
+    if (!collision.grid.contains(index)) return Standing::Blocked;
     ++tally.inGrid;
     const std::uint8_t cost = collision.costAt(index);
     if (cost == kCostUnknown) {
         ++tally.onUnknown;
-        return false;
+        return Standing::Blocked;
     }
     if (costPercent(cost) >= threshold_percent) {
         ++tally.nearWall;
-        return false;
+        return Standing::Blocked;
     }
     ++tally.clear;
-    if (!collision.isReachable(index)) return false;
+    if (!collision.isReachable(index)) return Standing::BeyondReach;
     ++tally.reachable;
-    return true;
+    return Standing::Reachable;
 }
 
 struct Ring {
@@ -70,9 +77,12 @@ std::optional<WaypointChoice> bestOnRing(const Ring& ring, const PlanTarget& tar
         for (int distanceStep = 0; distanceStep < distances; ++distanceStep) {
             const double distance_m = ring.minimum_m + distanceStep * settings.distanceStep_m;
             const Eigen::Vector2d place = centre + distance_m * direction;
-            if (!isClearPose(place, collision, settings.costThresholdPercent, tally)) continue;
+            const Standing standing = standingAt(place, collision, settings.costThresholdPercent, tally);
+            if (standing == Standing::Blocked) continue;
+            if (standing == Standing::BeyondReach && tally.isSeenFromBeyondReach) continue;
             const auto cost = costOfSight(place, target, sight, settings.rayStep_cells);
-            if (!cost || (best && *cost >= best->cost)) continue;
+            if (standing == Standing::BeyondReach) tally.isSeenFromBeyondReach = cost.has_value();
+            if (standing == Standing::BeyondReach || !cost || (best && *cost >= best->cost)) continue;
             const double yaw_rad = std::atan2(-direction.y(), -direction.x());
             best = {WaypointStatus::Ok, Pose2{place.x(), place.y(), yaw_rad}, *cost};
         }

@@ -39,6 +39,7 @@ struct PlanTarget {
     Eigen::Vector3d size_m = Eigen::Vector3d::Zero();
 };
 
+/// Unreachable: poses that see the target are where the robot cannot get to; Hidden: no pose sees it.
 enum class WaypointStatus { Ok, Unreachable, Hidden, TooCloseToWall, OutsideGrid };
 
 /// @return "ok" or the reason in the words of the file contract

@@ -185,6 +185,18 @@ TEST(Waypoints, tellWhyThereIsNone) {
     EXPECT_EQ(toString(WaypointStatus::TooCloseToWall), "too close to a wall");
 }
 
+TEST(Waypoints, whatStandsInAnotherCompartmentIsUnreachableNotHidden) {
+    OccupancyGrid grid = walledRoom(200, 80);
+    block(grid, 80, 80, 0, 79);
+    const Room room(grid);
+    // 0.95 m behind the bulkhead: the widest rings reach over it to floor that the robot can drive on.
+    EXPECT_EQ(room.only(targetAt(5.0, 2.0)).status, WaypointStatus::Unreachable);
+    // Boxed in there, it is seen from nowhere.
+    block(grid, 96, 104, 36, 44);
+    block(grid, 98, 102, 38, 42);
+    EXPECT_EQ(Room(grid).only(targetAt(5.02, 2.02)).status, WaypointStatus::Hidden);
+}
+
 TEST(Waypoints, aCandidateAtTheRobotsPlaceIsSeenFromBeside) {
     const Waypoint waypoint = Room(walledRoom(80, 80)).only(targetAt(1.0, 1.0));
     ASSERT_EQ(waypoint.status, WaypointStatus::Ok);
