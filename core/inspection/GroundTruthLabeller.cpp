@@ -18,6 +18,12 @@ std::pair<std::string, std::string> labelFor(const std::string& type, const Labe
     return {other ? other->name : kNotSure, "shows a " + type + ", for which the label set has no label"};
 }
 
+PixelBox boxOf(const VisibleObject& object) {
+    return {static_cast<double>(object.left_px), static_cast<double>(object.top_px),
+            static_cast<double>(object.right_px - object.left_px),
+            static_cast<double>(object.bottom_px - object.top_px)};
+}
+
 }  // namespace
 
 GroundTruthLabeller::GroundTruthLabeller(std::shared_ptr<const World> world, bool builtin)
@@ -27,15 +33,13 @@ GroundTruthLabeller::GroundTruthLabeller(std::shared_ptr<const World> world, boo
 
 PhotoAnswer GroundTruthLabeller::answer(const Photo& photo, const LabelSet& labels) const {
     const Transform T_world_from_camera = world_->T_map_from_world.inverse() * photo.T_map_from_camera;
-    const std::vector<std::size_t> pixels = visiblePixels(*world_, raycaster_, T_world_from_camera, photo.intrinsics);
+    const auto seen = visibleObjects(*world_, raycaster_, T_world_from_camera, photo.intrinsics);
     PhotoAnswer answer;
     for (std::size_t i = 0; i < world_->objects.size(); ++i) {
-        if (!world_->objects[i].fod || pixels[i] < kLeastPixels) continue;
+        if (!world_->objects[i].fod || seen[i].pixels < kLeastPixels) continue;
         const auto [label, comment] = labelFor(world_->objects[i].type, labels);
         if (!comment.empty()) answer.comment += (answer.comment.empty() ? "" : "; ") + comment;
-        if (std::ranges::find(answer.labels, label, &PhotoLabel::label) == answer.labels.end()) {
-            answer.labels.push_back({label, std::nullopt});
-        }
+        answer.labels.push_back({label, boxOf(seen[i])});
     }
     if (answer.labels.empty()) answer.labels.push_back({kNoFod, std::nullopt});
     return answer;

@@ -19,8 +19,9 @@ struct PhotoAnswer {
     std::string comment;
 };
 
-/// Labels photos of a simulated world from what lies in it: every FOD that covers enough pixels, else `no FOD`. It
-/// stands in for people in demonstrations and tests, and is called what it is wherever its decisions show.
+/// Labels photos of a simulated world from what lies in it: every FOD that covers enough pixels, with a box round it,
+/// else `no FOD`. It stands in for people in demonstrations and tests, and is called what it is wherever its decisions
+/// show.
 class GroundTruthLabeller {
   public:
     /// FOD that covers fewer pixels does not count as seen.

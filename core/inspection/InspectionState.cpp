@@ -5,6 +5,7 @@
 #include <random>
 
 #include "core/common/Version.h"
+#include "core/inspection/BoxOwners.h"
 
 namespace fodscope {
 namespace {
@@ -97,11 +98,14 @@ std::vector<CandidateVerdict> verdictsOf(const InspectionState& state) {
     for (const Candidate& candidate : state.detection->candidates->candidates) {
         ids.push_back(candidate.id);
     }
-    std::vector<PhotoSubject> photos;
-    for (const Photo& photo : state.photos) {
-        photos.push_back({photo.id, photo.candidateIds});
+    const std::vector<OwnedDecision> owned = ownDecisions(state);
+    std::vector<CandidateVerdict> verdicts;
+    for (const std::string& id : ids) {
+        const auto [photos, decisions] = wordsOn(id, state, owned);
+        const std::vector<std::string> one{id};
+        verdicts.push_back(resolveVerdicts(one, photos, decisions, state.labelSet).front());
     }
-    return resolveVerdicts(ids, photos, state.decisions, state.labelSet);
+    return verdicts;
 }
 
 }  // namespace fodscope

@@ -101,6 +101,7 @@ bool visitsHaveBegun(const InspectionState& state);
 /// @return the photo with the id, or null
 const Photo* findPhoto(const InspectionState& state, const std::string& photoId);
 
+/// Decisions count for the candidates that they are about, see BoxOwners.h.
 /// @return one verdict for each candidate, in the candidates' order
 std::vector<CandidateVerdict> verdictsOf(const InspectionState& state);
 

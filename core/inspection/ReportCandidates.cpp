@@ -115,7 +115,11 @@ std::vector<ReportCandidate> reportCandidates(const InspectionState& state) {
             told.photoIds.push_back(photo->id);
         }
         told.decisions = decisionLines(state, photos);
-        if (photos.empty()) told.noPhotoReason = reasonWithoutPhoto(state, candidate.id);
+        if (photos.empty()) {
+            told.noPhotoReason = reasonWithoutPhoto(state, candidate.id);
+        } else if (told.verdict == Verdict::NotPhotographed) {
+            told.noPhotoReason = "it lies outside the picture that was taken for it";
+        }
         told.centroid_reference = candidate.centroid_reference;
         list.push_back(std::move(told));
     }

@@ -31,6 +31,19 @@ Transform cameraPose(const Pose2& robot, const PhotoCameraSettings& settings);
 std::vector<std::byte> renderPhoto(const World& world, const Raycaster& raycaster, const Transform& T_world_from_camera,
                                    const PhotoCameraSettings& settings, const Progress& progress = Progress());
 
+/// What of an object a photo shows. The rectangle is half open and empty where nothing is seen.
+struct VisibleObject {
+    std::size_t pixels = 0;
+    int left_px = 0;
+    int top_px = 0;
+    int right_px = 0;
+    int bottom_px = 0;
+};
+
+/// @return for each object of the world how many pixels of such a photo show it, and the rectangle that holds them
+std::vector<VisibleObject> visibleObjects(const World& world, const Raycaster& raycaster,
+                                          const Transform& T_world_from_camera, const CameraIntrinsics& intrinsics);
+
 /// @return for each object of the world how many pixels of such a photo show it
 std::vector<std::size_t> visiblePixels(const World& world, const Raycaster& raycaster,
                                        const Transform& T_world_from_camera, const CameraIntrinsics& intrinsics);
