@@ -233,6 +233,8 @@ Photo samplePhoto(const std::string& waypointId, const std::string& candidateId,
     photo.candidateIds = {candidateId};
     photo.taken = {1'795'000'100'000};
     photo.T_map_from_camera = transformFromPose({0.4, 0.3, 0.2});
+    // 3 m off, so that both candidates lie in the picture.
+    photo.T_map_from_camera.translation().z() = -3.0;
     photo.intrinsics = {1280, 720, 931.5, 931.5, 640, 360};
     photo.mediaType = "image/jpeg";
     for (const char c : content) {
