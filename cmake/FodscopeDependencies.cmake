@@ -11,7 +11,7 @@ find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs)
 find_package(embree 3 REQUIRED)
 find_package(SQLiteCpp REQUIRED)
 find_package(SQLite3 REQUIRED)
-find_package(Qt5 5.15 REQUIRED COMPONENTS Core Gui Widgets Svg PrintSupport Test)
+find_package(Qt5 5.15 REQUIRED COMPONENTS Core Gui Widgets Svg Test)
 find_package(VTK 9.1 REQUIRED COMPONENTS
     CommonCore CommonDataModel CommonTransforms FiltersCore FiltersGeneral FiltersSources GUISupportQt ImagingCore
     InteractionStyle InteractionWidgets IOImage RenderingAnnotation RenderingCore RenderingFreeType RenderingLabel
@@ -21,12 +21,6 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
 # so they are taken from pkg-config, and core stays free of VTK.
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(PCL REQUIRED IMPORTED_TARGET pcl_registration pcl_features pcl_search pcl_filters pcl_kdtree pcl_common)
-
-find_path(QWT_INCLUDE_DIR qwt_plot.h PATH_SUFFIXES qwt REQUIRED)
-find_library(QWT_LIBRARY NAMES qwt-qt5 qwt REQUIRED)
-add_library(Qwt::Qwt INTERFACE IMPORTED)
-target_include_directories(Qwt::Qwt SYSTEM INTERFACE ${QWT_INCLUDE_DIR})
-target_link_libraries(Qwt::Qwt INTERFACE ${QWT_LIBRARY})
 
 if(FODSCOPE_BUILD_TESTS)
     find_package(GTest REQUIRED)

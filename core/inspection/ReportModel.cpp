@@ -127,6 +127,10 @@ std::string labellers(const InspectionState& state) {
 }
 
 std::vector<ReportField> countFields(const InspectionState& state, const std::vector<ReportCandidate>& candidates) {
+    // Nothing was detected, so nothing was counted: a zero would read as a clear tank.
+    if (!state.detection || !state.detection->candidates) {
+        return {{"Candidates", "not known"}, {"Findings", "not known"}};
+    }
     const auto done = std::ranges::count(state.visits, VisitState::Done, &Visit::state);
     return {{"Candidates", std::to_string(candidates.size())},
             {"Findings", std::to_string(countOf(candidates, Verdict::Finding))},

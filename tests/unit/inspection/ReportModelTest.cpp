@@ -143,6 +143,7 @@ TEST(ReportModel, ABadAlignmentClaimsNothing) {
     EXPECT_THAT(model.statement, HasSubstr("no candidates are claimed"));
     EXPECT_TRUE(model.findings.empty() && model.open.empty() && model.rejected.empty());
     EXPECT_EQ(valueOf(model.alignment, "Alignment"), "bad: no candidates are claimed");
+    EXPECT_EQ(valueOf(model.counts, "Findings"), "not known");
 }
 
 TEST(ReportModel, ADraftNamesWhatIsMissing) {
