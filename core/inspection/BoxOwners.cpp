@@ -2,20 +2,18 @@
 #include "core/inspection/BoxOwners.h"
 
 #include <algorithm>
-#include <limits>
 #include <opencv2/imgproc.hpp>
 #include <span>
+
+#include "core/inspection/PhotoProjection.h"
 
 namespace fodscope {
 namespace {
 
-/// Nearer points would project to anywhere.
-constexpr double kNearestDepth_m = 0.02;
-
 struct Outline {
     std::string candidateId;
     std::vector<cv::Point2f> hull_px;
-    double depth_m = std::numeric_limits<double>::infinity();
+    double depth_m = 0.0;
     /// Whether the photo was taken for it.
     bool isSubject = false;
 };
@@ -24,27 +22,13 @@ bool holds(const std::vector<std::string>& ids, const std::string& id) {
     return std::ranges::find(ids, id) != ids.end();
 }
 
-/// The hull of the candidate's voxel cubes in the photo.
 Outline outlineOf(const Candidate& candidate, const DetectionRecord& detection, const Photo& photo) {
-    Outline outline{candidate.id, {}, std::numeric_limits<double>::infinity(), holds(photo.candidateIds, candidate.id)};
-    const Transform T_camera_from_reference =
-        photo.T_map_from_camera.inverse() * detection.registration.T_reference_from_map.inverse();
-    const double half_m = detection.parameters.discrepancy.voxelSize_m / 2.0;
-    std::vector<cv::Point2f> corners_px;
-    for (const std::uint32_t voxel : candidate.voxels) {
-        if (voxel >= detection.field->points.size()) continue;
-        for (int corner = 0; corner < 8; ++corner) {
-            const Eigen::Vector3d step((corner & 1) ? half_m : -half_m, (corner & 2) ? half_m : -half_m,
-                                       (corner & 4) ? half_m : -half_m);
-            const Eigen::Vector3d point_camera = T_camera_from_reference * (detection.field->points[voxel] + step);
-            if (!(point_camera.z() > kNearestDepth_m)) continue;
-            outline.depth_m = std::min(outline.depth_m, point_camera.z());
-            const CameraIntrinsics& k = photo.intrinsics;
-            corners_px.emplace_back(static_cast<float>(k.fx_px * point_camera.x() / point_camera.z() + k.cx_px),
-                                    static_cast<float>(k.fy_px * point_camera.y() / point_camera.z() + k.cy_px));
-        }
-    }
-    if (corners_px.size() >= 3) cv::convexHull(corners_px, outline.hull_px);
+    const ProjectedVoxels projected =
+        projectVoxels(voxelsInMap(candidate, detection), detection.parameters.discrepancy.voxelSize_m,
+                      photo.T_map_from_camera, photo.intrinsics);
+    Outline outline{candidate.id, {}, projected.nearestDepth_m, holds(photo.candidateIds, candidate.id)};
+    for (const Eigen::Vector2d& corner : projected.hull_px)
+        outline.hull_px.emplace_back(static_cast<float>(corner.x()), static_cast<float>(corner.y()));
     return outline;
 }
 
@@ -100,19 +84,10 @@ bool shows(const Photo& photo, const std::string& candidateId, const InspectionS
     const auto& candidates = state.detection->candidates->candidates;
     const auto candidate = std::ranges::find(candidates, candidateId, &Candidate::id);
     if (candidate == candidates.end() || candidate->voxels.empty()) return true;
-    const Transform T_camera_from_reference =
-        photo.T_map_from_camera.inverse() * state.detection->registration.T_reference_from_map.inverse();
-    const auto& points = state.detection->field->points;
-    const CameraIntrinsics& k = photo.intrinsics;
-    const auto inside = std::ranges::count_if(candidate->voxels, [&](std::uint32_t voxel) {
-        if (voxel >= points.size()) return false;
-        const Eigen::Vector3d point_camera = T_camera_from_reference * points[voxel];
-        if (!(point_camera.z() > kNearestDepth_m)) return false;
-        const double column_px = k.fx_px * point_camera.x() / point_camera.z() + k.cx_px;
-        const double row_px = k.fy_px * point_camera.y() / point_camera.z() + k.cy_px;
-        return column_px >= 0.0 && row_px >= 0.0 && column_px < k.width_px && row_px < k.height_px;
-    });
-    return 2 * static_cast<std::size_t>(inside) >= candidate->voxels.size();
+    const ProjectedVoxels projected =
+        projectVoxels(voxelsInMap(*candidate, *state.detection), state.detection->parameters.discrepancy.voxelSize_m,
+                      photo.T_map_from_camera, photo.intrinsics);
+    return 2 * projected.centresInImage >= candidate->voxels.size();
 }
 
 std::pair<std::vector<PhotoSubject>, std::vector<Decision>> wordsOn(const std::string& candidateId,

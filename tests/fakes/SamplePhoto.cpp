@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "ui/labelling/CandidateOutline.h"
+#include "core/inspection/PhotoProjection.h"
 
 namespace fodscope {
 

@@ -18,13 +18,6 @@ struct CandidateOutline {
     QPolygonF polygon_px;
 };
 
-/// Pinhole projection; points at or behind the camera are left out, points beside the image are kept.
-std::vector<Eigen::Vector2d> projectPoints(std::span<const Eigen::Vector3d> points_map,
-                                           const Transform& T_map_from_camera, const CameraIntrinsics& intrinsics);
-
-/// Convex hull in counter-clockwise order of the image's axes; fewer than three distinct points come back as they are.
-QPolygonF convexHull(std::vector<Eigen::Vector2d> points_px);
-
 /// Outline of voxels in a photo: the hull of the projected voxel cubes, grown by `halo_px` for the doubt in pose and
 /// calibration, clipped to the image. Empty when nothing of them lies in the image.
 QPolygonF projectedOutline(std::span<const Eigen::Vector3d> voxels_map, double voxelSize_m,

@@ -5,6 +5,7 @@
 
 #include <QRectF>
 
+#include "core/inspection/PhotoProjection.h"
 #include "tests/fakes/SamplePhoto.h"
 #include "tests/fakes/TankInspection.h"
 
@@ -20,27 +21,6 @@ CameraIntrinsics camera() {
     intrinsics.cx_px = 320.0;
     intrinsics.cy_px = 240.0;
     return intrinsics;
-}
-
-TEST(ProjectPoints, AKnownPointLandsOnItsPixel) {
-    // Camera at (1, 2, 0.5), looking along +x of the map: right is −y, down is −z (REP 103).
-    Transform T_map_from_camera = Transform::Identity();
-    T_map_from_camera.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
-    T_map_from_camera.translation() = Eigen::Vector3d(1, 2, 0.5);
-    const std::vector<Eigen::Vector3d> points{{3.0, 1.6, 0.7}, {0.0, 2.0, 0.5}};
-    const auto pixels = projectPoints(points, T_map_from_camera, camera());
-    ASSERT_EQ(pixels.size(), 1U) << "the point behind the camera is left out";
-    // 2 m ahead, 0.4 m to the right, 0.2 m up: 320 + 500·0.2 and 240 − 510·0.1.
-    EXPECT_NEAR(pixels[0].x(), 420.0, 1e-9);
-    EXPECT_NEAR(pixels[0].y(), 189.0, 1e-9);
-}
-
-TEST(ConvexHull, KeepsTheCornersOnly) {
-    const QPolygonF hull = convexHull({{0, 0}, {2, 0}, {1, 0}, {2, 2}, {0, 2}, {1, 1}, {0, 0}});
-    EXPECT_EQ(hull.size(), 4);
-    EXPECT_EQ(hull.boundingRect(), QRectF(0, 0, 2, 2));
-    EXPECT_EQ(convexHull({{1, 1}, {1, 1}}).size(), 1);
-    EXPECT_EQ(convexHull({}).size(), 0);
 }
 
 TEST(ProjectedOutline, SurroundsAVoxelWithItsHalo) {
