@@ -113,22 +113,21 @@ class WithinRadius {
   public:
     using DistanceType = double;
 
-    WithinRadius(const OrderedPoints& points, double squaredRadius) : points_(points), squaredRadius_(squaredRadius) {}
+    WithinRadius(const OrderedPoints& points, double squaredRadius, std::vector<Neighbour>& found)
+        : points_(points), squaredRadius_(squaredRadius), found_(found) {
+        found_.clear();
+    }
     double worstDist() const { return widened(squaredRadius_); }
     bool full() const { return true; }
     bool addPoint(double squaredDistance, std::uint32_t position) {
         if (squaredDistance <= squaredRadius_) found_.push_back({points_.original[position], squaredDistance});
         return true;
     }
-    std::vector<Neighbour> sorted() && {
-        std::sort(found_.begin(), found_.end(), isNearer);
-        return std::move(found_);
-    }
 
   private:
     const OrderedPoints& points_;
     double squaredRadius_;
-    std::vector<Neighbour> found_;
+    std::vector<Neighbour>& found_;
 };
 
 using KdTree =
@@ -218,10 +217,12 @@ std::vector<Neighbour> NeighbourIndex::kNearest(const Eigen::Vector3d& query, st
 }
 
 std::vector<Neighbour> NeighbourIndex::withinRadius(const Eigen::Vector3d& query, double radius_m) const {
-    if (!(radius_m >= 0.0)) return {};
-    WithinRadius result(tree_->ordered, radius_m * radius_m);
+    std::vector<Neighbour> neighbours;
+    if (!(radius_m >= 0.0)) return neighbours;
+    WithinRadius result(tree_->ordered, radius_m * radius_m, neighbours);
     tree_->search(result, query);
-    return std::move(result).sorted();
+    std::sort(neighbours.begin(), neighbours.end(), isNearer);
+    return neighbours;
 }
 
 std::vector<Neighbour> NeighbourIndex::nearestOfEach(std::span<const Eigen::Vector3d> queries, Progress& progress,
@@ -246,6 +247,20 @@ void NeighbourIndex::forEachKNearest(std::span<const Eigen::Vector3d> queries, s
             KNearest result(tree_->ordered, count, neighbours);
             tree_->search(result, queries[i]);
             result.sort();
+            use(i, neighbours);
+        }
+    });
+}
+
+void NeighbourIndex::forEachWithinRadius(std::span<const Eigen::Vector3d> queries, double radius_m,
+                                         const std::function<void(std::size_t, std::span<const Neighbour>)>& use,
+                                         Progress& progress, const std::string& stage) const {
+    if (!(radius_m >= 0.0)) return;
+    forEachGroup(queries, progress, stage, [&](std::span<const std::uint32_t> group) {
+        std::vector<Neighbour> neighbours;
+        for (const std::uint32_t i : group) {
+            WithinRadius result(tree_->ordered, radius_m * radius_m, neighbours);
+            tree_->search(result, queries[i]);
             use(i, neighbours);
         }
     });

@@ -51,6 +51,12 @@ class NeighbourIndex {
                          const std::function<void(std::size_t, std::span<const Neighbour>)>& use, Progress& progress,
                          const std::string& stage = {}) const;
 
+    /// The same with the points at most `radius_m` away, which may be none. Their order is not by distance, as sorting
+    /// would cost more than the search, but it is the same every time.
+    void forEachWithinRadius(std::span<const Eigen::Vector3d> queries, double radius_m,
+                             const std::function<void(std::size_t, std::span<const Neighbour>)>& use,
+                             Progress& progress, const std::string& stage = {}) const;
+
   private:
     struct Tree;
     std::unique_ptr<Tree> tree_;

@@ -6,23 +6,34 @@
 #include <limits>
 #include <string>
 
+#include "core/cloud/RandomSample.h"
 #include "core/cloud/VoxelGrid.h"
 #include "core/common/Error.h"
 
 namespace fodscope {
 namespace {
 
+constexpr const char* kDefaultsRemedy = "the defaults are 0.02 m voxels, a ratio of 0.1, 50 neighbours and 1 pass";
+
 void check(const DiscrepancySettings& settings) {
+    std::vector<std::string> problems;
     if (!(settings.voxelSize_m > 0.0) || !std::isfinite(settings.voxelSize_m)) {
-        throw Error("discrepancy voxel", "must be greater than 0", "give a length in metres such as 0.02");
+        problems.push_back("the voxel size must be greater than 0");
     }
-    if (settings.smoothingNeighbours < 1) {
-        throw Error("smoothing neighbours", "must be at least 1, not " + std::to_string(settings.smoothingNeighbours),
-                    "give a whole number such as 50, or 1 for no smoothing");
+    if (!(settings.randomRatio > 0.0 && settings.randomRatio <= 1.0)) {
+        problems.push_back("the random ratio must be greater than 0 and at most 1");
     }
     if (settings.cropHeight_m && !std::isfinite(*settings.cropHeight_m)) {
-        throw Error("crop height", "is not a finite number", "give a height in metres such as 0.6");
+        problems.push_back("the crop height must be a finite number");
     }
+    for (const std::string& problem : smoothingProblems(settings.smoothing))
+        problems.push_back("smoothing: " + problem);
+    if (settings.smoothingPasses < 0) problems.push_back("the smoothing passes must not be negative");
+    if (problems.empty()) return;
+    std::string text = problems.front();
+    for (std::size_t i = 1; i < problems.size(); ++i)
+        text += ", " + problems[i];
+    throw Error("discrepancy settings", text, kDefaultsRemedy);
 }
 
 /// Strictly inside the reference's bounds, as the published code does; the crop height lowers the upper one.
@@ -62,37 +73,55 @@ void measureMahalanobis(const ReferenceMap& reference, DiscrepancyField& field) 
     }
 }
 
-/// Σ n_j d_j / Σ n_j over those neighbours whose discrepancy is known.
+/// The map in voxels, or a share of its points in their order.
+VoxelCloud thinned(const std::vector<Eigen::Vector3d>& points, const DiscrepancySettings& settings) {
+    if (settings.downSampling == DownSampling::Voxel) {
+        return voxelGrid(points, minimumCorner(points), {settings.voxelSize_m});
+    }
+    VoxelCloud kept;
+    const auto seed = static_cast<std::uint64_t>(settings.randomSeed);
+    for (const std::uint32_t index : randomSample(points.size(), settings.randomRatio, seed))
+        kept.points.push_back(points[index]);
+    kept.weights.assign(kept.size(), 1);
+    return kept;
+}
+
+/// Σ w_j n_j d_j / Σ w_j n_j over those neighbours whose discrepancy is known.
 double weightedMean(std::span<const Neighbour> neighbours, const std::vector<double>& values,
-                    const std::vector<std::uint32_t>& weights) {
+                    const std::vector<std::uint32_t>& counts, const SmoothingSettings& settings) {
     double sum = 0.0;
-    double weight = 0.0;
+    double weights = 0.0;
     for (const Neighbour& neighbour : neighbours) {
         const double value = values[neighbour.index];
         if (std::isnan(value)) continue;
-        sum += weights[neighbour.index] * value;
-        weight += weights[neighbour.index];
+        const double weight = counts[neighbour.index] * smoothingWeight(settings, neighbour.squaredDistance_m2);
+        sum += weight * value;
+        weights += weight;
     }
-    return weight > 0.0 ? sum / weight : std::numeric_limits<double>::quiet_NaN();
+    return weights > 0.0 ? sum / weights : std::numeric_limits<double>::quiet_NaN();
 }
 
-void smooth(DiscrepancyField& field, int neighbourCount, Progress& progress) {
-    if (neighbourCount == 1) {
-        field.smoothedEuclidean_m = field.euclidean_m;
-        field.smoothedMahalanobis = field.mahalanobis;
-        return;
-    }
-    field.smoothedEuclidean_m.resize(field.size());
-    field.smoothedMahalanobis.resize(field.mahalanobis.size());
+bool changesNothing(const SmoothingSettings& settings) {
+    return settings.neighbourhood == SmoothingNeighbourhood::NearestNeighbours && settings.neighbours == 1;
+}
+
+void smooth(DiscrepancyField& field, const DiscrepancySettings& settings, Progress& progress) {
+    field.smoothedEuclidean_m = field.euclidean_m;
+    field.smoothedMahalanobis = field.mahalanobis;
+    if (settings.smoothingPasses == 0 || changesNothing(settings.smoothing)) return;
     const NeighbourIndex voxels(field.points);
-    voxels.forEachKNearest(
-        field.points, static_cast<std::size_t>(neighbourCount),
-        [&](std::size_t i, std::span<const Neighbour> neighbours) {
-            field.smoothedEuclidean_m[i] = weightedMean(neighbours, field.euclidean_m, field.weights);
-            if (field.hasMahalanobis())
-                field.smoothedMahalanobis[i] = weightedMean(neighbours, field.mahalanobis, field.weights);
-        },
-        progress, "smoothing the discrepancy");
+    for (int pass = 0; pass < settings.smoothingPasses; ++pass) {
+        const std::vector<double> euclidean_m = field.smoothedEuclidean_m;
+        const std::vector<double> mahalanobis = field.smoothedMahalanobis;
+        forEachNeighbourhood(
+            voxels, field.points, settings.smoothing, "discrepancy smoothing",
+            [&](std::size_t i, std::span<const Neighbour> near) {
+                field.smoothedEuclidean_m[i] = weightedMean(near, euclidean_m, field.weights, settings.smoothing);
+                if (field.hasMahalanobis())
+                    field.smoothedMahalanobis[i] = weightedMean(near, mahalanobis, field.weights, settings.smoothing);
+            },
+            progress, "smoothing the discrepancy");
+    }
 }
 
 }  // namespace
@@ -112,8 +141,7 @@ DiscrepancyField measureDiscrepancy(std::span<const Eigen::Vector3d> map, const 
     check(settings);
     if (reference.size() == 0) throw Error("reference map", "it has no points", "build it anew");
     progress.report("voxels of the map", 0.0);
-    const std::vector<Eigen::Vector3d> inside = cropped(map, T_reference_from_map, reference, settings);
-    VoxelCloud voxels = voxelGrid(inside, minimumCorner(inside), {settings.voxelSize_m});
+    VoxelCloud voxels = thinned(cropped(map, T_reference_from_map, reference, settings), settings);
 
     DiscrepancyField field;
     field.points = std::move(voxels.points);
@@ -126,7 +154,7 @@ DiscrepancyField measureDiscrepancy(std::span<const Eigen::Vector3d> map, const 
         field.euclidean_m.push_back(std::sqrt(nearest.squaredDistance_m2));
     }
     if (reference.hasCovariance()) measureMahalanobis(reference, field);
-    smooth(field, settings.smoothingNeighbours, progress);
+    smooth(field, settings, progress);
     return field;
 }
 

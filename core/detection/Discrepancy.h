@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/cloud/NeighbourIndex.h"
+#include "core/cloud/Smoothing.h"
 #include "core/common/Geometry.h"
 #include "core/common/Progress.h"
 #include "core/reference/ReferenceMap.h"
@@ -17,25 +17,39 @@ namespace fodscope {
 /// `Euclidean` in metres, `Mahalanobis` unitless.
 enum class Metric { Euclidean, Mahalanobis };
 
+/// How the map is thinned before it is compared.
+enum class DownSampling {
+    Voxel,  ///< mean and count of the points in each voxel
+    Random  ///< a share of the points, each with weight 1
+};
+
 struct DiscrepancySettings {
-    /// Paper: voxel size of the query, 0.02 m.
+    DownSampling downSampling = DownSampling::Voxel;
+    /// Paper: voxel size of the query, 0.02 m. With random down-sampling the size that a kept point is taken to have
+    /// where a candidate is measured and drawn.
     double voxelSize_m = 0.02;
+    /// Share of the points that random down-sampling keeps. Paper's simulation: 0.1.
+    double randomRatio = 0.1;
+    /// The same map, ratio and seed keep the same points.
+    int randomSeed = 1;
     /// Keep only points inside the reference's bounds (authors' published code).
     bool cropToReference = true;
     /// Points higher than this in the reference frame are dropped; empty: no limit.
     std::optional<double> cropHeight_m;
-    /// Paper: k of the discrepancy smoothing, 50. 1 means no smoothing.
-    int smoothingNeighbours = 50;
+    /// Paper: mean over the k = 50 nearest. A single neighbour means no smoothing.
+    SmoothingSettings smoothing;
+    /// How often it is smoothed; 0: not at all.
+    int smoothingPasses = 1;
 
     bool operator==(const DiscrepancySettings&) const = default;
 };
 
-/// The map in voxels with how far each deviates from the reference. One entry a voxel in every vector; the Mahalanobis
-/// vectors are empty when the reference has no covariances.
+/// The map thinned ("voxels", also when it was thinned at random), with how far each deviates from the reference. One
+/// entry a voxel in every vector; the Mahalanobis vectors are empty when the reference has no covariances.
 struct DiscrepancyField {
-    /// Voxel means, reference frame, metres.
+    /// Voxel means, or the points kept at random, reference frame, metres.
     std::vector<Eigen::Vector3d> points;
-    /// n_i: map points in the voxel.
+    /// n_i: map points in the voxel; 1 when kept at random.
     std::vector<std::uint32_t> weights;
     /// Index of the nearest reference point.
     std::vector<std::uint32_t> nearest;
@@ -43,7 +57,8 @@ struct DiscrepancyField {
     std::vector<double> euclidean_m;
     /// Local Mahalanobis distance (paper eq. "M-dist_local"); NaN at reference points that are untrained.
     std::vector<double> mahalanobis;
-    /// The two smoothed over the k nearest voxels, Σ n_j d_j / Σ n_j; NaN where nothing is known.
+    /// The two smoothed over each voxel's neighbourhood, Σ w_j n_j d_j / Σ w_j n_j over those that are known; NaN where
+    /// none is.
     std::vector<double> smoothedEuclidean_m;
     std::vector<double> smoothedMahalanobis;
 
@@ -53,8 +68,8 @@ struct DiscrepancyField {
     const std::vector<double>& smoothed(Metric metric) const;
 };
 
-/// Crop, voxel grid, nearest reference point, L2 and local Mahalanobis discrepancy, smoothing weighted by point counts.
-/// Paper: "Discrepancy Query".
+/// Crop, down-sampling, nearest reference point, L2 and local Mahalanobis discrepancy, smoothing weighted by point
+/// counts. Paper: "Discrepancy Query".
 /// @param map denoised points, map frame
 /// @throws Error when no point is left after the crop, or a setting is out of range; Cancelled
 DiscrepancyField measureDiscrepancy(std::span<const Eigen::Vector3d> map, const Transform& T_reference_from_map,

@@ -10,63 +10,62 @@
 namespace fodscope {
 namespace {
 
-/// A parameter read and written through its member of its section's struct.
-template <typename Settings, typename Value>
+/// A parameter read and written through its member of the struct that `Path` finds in a record.
+template <typename Path, typename Settings, typename Value>
 struct Accessor {
-    Settings Parameters::*section;
+    Path path;
     Value Settings::*member;
 
-    const Value& in(const Parameters& parameters) const { return parameters.*section.*member; }
-    Value& in(Parameters& parameters) const { return parameters.*section.*member; }
+    const Value& in(const Parameters& parameters) const { return path(parameters).*member; }
+    Value& in(Parameters& parameters) const { return path(parameters).*member; }
 };
 
-template <typename Settings, typename Value>
-Accessor(Settings Parameters::*, Value Settings::*) -> Accessor<Settings, Value>;
-
-/// What the fields of one section have in common.
-template <typename Settings>
+/// What the fields of one section, or of the settings nested in it, have in common.
+/// @tparam Path takes a record, constant or not, to the settings
+template <typename Path>
 class Section {
   public:
-    Section(std::vector<ParameterField>& table, std::string name, Settings Parameters::*settings)
-        : table_(table), name_(std::move(name)), settings_(settings) {}
+    using Settings = std::remove_reference_t<std::invoke_result_t<Path, Parameters&>>;
 
-    void number(double Settings::*member, const char* key, const char* unit, double minimum, double maximum,
+    Section(std::vector<ParameterField>& table, std::string name, Path path)
+        : table_(table), name_(std::move(name)), path_(std::move(path)) {}
+
+    void number(double Settings::*member, std::string key, const char* unit, double minimum, double maximum,
                 const char* help) {
-        const Accessor access{settings_, member};
-        add(key, unit, help, ParameterKind::Number, minimum, maximum).get = [access](const Parameters& from) {
-            return ParameterValue(access.in(from));
-        };
+        const auto access = accessTo(member);
+        add(std::move(key), unit, help, ParameterKind::Number, minimum, maximum).get =
+            [access](const Parameters& from) { return ParameterValue(access.in(from)); };
         table_.back().set = [access](Parameters& to, const ParameterValue& value) {
             access.in(to) = std::get<double>(value);
         };
     }
 
-    void angle(double Settings::*member, const char* key, double minimum_deg, double maximum_deg, const char* help) {
-        const Accessor access{settings_, member};
-        add(key, "deg", help, ParameterKind::Number, minimum_deg, maximum_deg).get = [access](const Parameters& from) {
-            return ParameterValue(degreesThatGive(access.in(from)));
-        };
+    void angle(double Settings::*member, std::string key, double minimum_deg, double maximum_deg, const char* help) {
+        const auto access = accessTo(member);
+        add(std::move(key), "deg", help, ParameterKind::Number, minimum_deg, maximum_deg).get =
+            [access](const Parameters& from) { return ParameterValue(degreesThatGive(access.in(from))); };
         table_.back().set = [access](Parameters& to, const ParameterValue& value) {
             access.in(to) = radiansFromDegrees(std::get<double>(value));
         };
     }
 
-    void optionalNumber(std::optional<double> Settings::*member, const char* key, const char* unit, double minimum,
+    void optionalNumber(std::optional<double> Settings::*member, std::string key, const char* unit, double minimum,
                         double maximum, const char* help) {
-        const Accessor access{settings_, member};
-        add(key, unit, help, ParameterKind::OptionalNumber, minimum, maximum).get = [access](const Parameters& from) {
-            const std::optional<double>& value = access.in(from);
-            return value ? ParameterValue(*value) : ParameterValue();
-        };
+        const auto access = accessTo(member);
+        add(std::move(key), unit, help, ParameterKind::OptionalNumber, minimum, maximum).get =
+            [access](const Parameters& from) {
+                const std::optional<double>& value = access.in(from);
+                return value ? ParameterValue(*value) : ParameterValue();
+            };
         table_.back().set = [access](Parameters& to, const ParameterValue& value) {
             access.in(to).reset();
             if (const double* number = std::get_if<double>(&value)) access.in(to) = *number;
         };
     }
 
-    void whole(int Settings::*member, const char* key, double minimum, double maximum, const char* help) {
-        const Accessor access{settings_, member};
-        add(key, "", help, ParameterKind::Whole, minimum, maximum).get = [access](const Parameters& from) {
+    void whole(int Settings::*member, std::string key, double minimum, double maximum, const char* help) {
+        const auto access = accessTo(member);
+        add(std::move(key), "", help, ParameterKind::Whole, minimum, maximum).get = [access](const Parameters& from) {
             return ParameterValue(access.in(from));
         };
         table_.back().set = [access](Parameters& to, const ParameterValue& value) {
@@ -74,9 +73,9 @@ class Section {
         };
     }
 
-    void toggle(bool Settings::*member, const char* key, const char* help) {
-        const Accessor access{settings_, member};
-        add(key, "", help, ParameterKind::Switch, 0.0, 1.0).get = [access](const Parameters& from) {
+    void toggle(bool Settings::*member, std::string key, const char* help) {
+        const auto access = accessTo(member);
+        add(std::move(key), "", help, ParameterKind::Switch, 0.0, 1.0).get = [access](const Parameters& from) {
             return ParameterValue(access.in(from));
         };
         table_.back().set = [access](Parameters& to, const ParameterValue& value) {
@@ -86,9 +85,9 @@ class Section {
 
     /// `words` in the order of the enumerators, which start at 0.
     template <typename Enum>
-    ParameterField& choice(Enum Settings::*member, const char* key, std::vector<std::string> words, const char* help) {
-        const Accessor access{settings_, member};
-        ParameterField& field = add(key, "", help, ParameterKind::Choice, 0.0, 0.0);
+    ParameterField& choice(Enum Settings::*member, std::string key, std::vector<std::string> words, const char* help) {
+        const auto access = accessTo(member);
+        ParameterField& field = add(std::move(key), "", help, ParameterKind::Choice, 0.0, 0.0);
         field.choices = words;
         field.get = [access, words](const Parameters& from) {
             return ParameterValue(words[static_cast<std::size_t>(access.in(from))]);
@@ -101,6 +100,11 @@ class Section {
     }
 
   private:
+    template <typename Value>
+    Accessor<Path, Settings, Value> accessTo(Value Settings::*member) const {
+        return {path_, member};
+    }
+
     ParameterField& add(std::string key, std::string unit, std::string help, ParameterKind kind, double minimum,
                         double maximum) {
         ParameterField field;
@@ -129,11 +133,12 @@ class Section {
 
     std::vector<ParameterField>& table_;
     std::string name_;
-    Settings Parameters::*settings_;
+    Path path_;
 };
 
 void addDenoise(std::vector<ParameterField>& table) {
-    Section section(table, "denoise", &Parameters::denoise);
+    Section section(
+        table, "denoise", [](auto& all) -> auto& { return all.denoise; });
     section.toggle(&OutlierRemovalSettings::enabled, "enabled", "statistical outlier removal of the map");
     section.whole(&OutlierRemovalSettings::neighbours, "neighbours", 2, 10000,
                   "nearest points that judge a point, itself among them");
@@ -142,7 +147,8 @@ void addDenoise(std::vector<ParameterField>& table) {
 }
 
 void addRegistration(std::vector<ParameterField>& table) {
-    Section section(table, "registration", &Parameters::registration);
+    Section section(
+        table, "registration", [](auto& all) -> auto& { return all.registration; });
     section.number(&RegistrationSettings::mapVoxelSize_m, "map_voxel_size_m", "m", 0.001, 1, "voxels of the map");
     section.number(&RegistrationSettings::maximumCorrespondence_m, "maximum_correspondence_m", "m", 0.001, 100,
                    "pairs of points farther apart are ignored");
@@ -156,19 +162,43 @@ void addRegistration(std::vector<ParameterField>& table) {
                    "voxels of the search by features, without a start pose");
 }
 
+/// Settings nested in a section: their keys begin with a word that tells them apart.
+template <typename Path>
+void addSmoothing(std::vector<ParameterField>& table, const std::string& name, const std::string& word, Path path) {
+    Section section(table, name, path);
+    section.choice(&SmoothingSettings::neighbourhood, word + "_neighbourhood", {"knn", "ball"},
+                   "what is smoothed over: the k nearest, or all in a ball");
+    section.whole(&SmoothingSettings::neighbours, word + "_neighbours", 1, 10000,
+                  "k of the k nearest; 1: no smoothing");
+    section.number(&SmoothingSettings::radius_m, word + "_radius_m", "m", 0.001, 100, "radius of the ball");
+    section.choice(&SmoothingSettings::weights, word + "_weights", {"mean", "gaussian"},
+                   "all alike, or exp(-r^2 / sigma^2) at the distance r");
+    section.number(&SmoothingSettings::sigma_m, word + "_sigma_m", "m", 0.0001, 100, "sigma of the gaussian");
+}
+
 void addDiscrepancy(std::vector<ParameterField>& table) {
-    Section section(table, "discrepancy", &Parameters::discrepancy);
-    section.number(&DiscrepancySettings::voxelSize_m, "voxel_size_m", "m", 0.001, 1, "voxels of the map");
+    Section section(
+        table, "discrepancy", [](auto& all) -> auto& { return all.discrepancy; });
+    section.choice(&DiscrepancySettings::downSampling, "down_sampling", {"voxel", "random"},
+                   "how the map is thinned: to the means of voxels, or to a share of its points");
+    section.number(&DiscrepancySettings::voxelSize_m, "voxel_size_m", "m", 0.001, 1,
+                   "voxels of the map; size of a point that was kept at random");
+    section.number(&DiscrepancySettings::randomRatio, "random_ratio", "", 0.01, 1,
+                   "share of the points that random down-sampling keeps");
+    section.whole(&DiscrepancySettings::randomSeed, "random_seed", 0, 2147483647, "another seed keeps other points");
     section.toggle(&DiscrepancySettings::cropToReference, "crop_to_reference",
                    "drop map points outside the reference's bounds");
     section.optionalNumber(&DiscrepancySettings::cropHeight_m, "crop_height_m", "m", -1000, 1000,
                            "map points higher than this in the reference frame are dropped; none: no limit");
-    section.whole(&DiscrepancySettings::smoothingNeighbours, "smoothing_neighbours", 1, 10000,
-                  "k of the discrepancy smoothing; 1: none");
+    addSmoothing(
+        table, "discrepancy", "smoothing", [](auto& all) -> auto& { return all.discrepancy.smoothing; });
+    section.whole(&DiscrepancySettings::smoothingPasses, "smoothing_passes", 0, 100,
+                  "how often the discrepancy is smoothed; 0: not at all");
 }
 
 void addCandidates(std::vector<ParameterField>& table) {
-    Section section(table, "candidates", &Parameters::candidates);
+    Section section(
+        table, "candidates", [](auto& all) -> auto& { return all.candidates; });
     ParameterField& metric = section.choice(&CandidateSettings::metric, "metric", {"euclidean", "mahalanobis"},
                                             "how far a map voxel deviates from the reference");
     metric.set = [setMetric = metric.set](Parameters& to, const ParameterValue& value) {
@@ -191,13 +221,15 @@ void addCandidates(std::vector<ParameterField>& table) {
 }
 
 void addCoverage(std::vector<ParameterField>& table) {
-    Section section(table, "coverage", &Parameters::coverage);
+    Section section(
+        table, "coverage", [](auto& all) -> auto& { return all.coverage; });
     section.number(&CoverageSettings::observedWithin_m, "observed_within_m", "m", 0.001, 10,
                    "a reference point with a map voxel this near was observed");
 }
 
 void addOccupancy(std::vector<ParameterField>& table) {
-    Section section(table, "occupancy", &Parameters::occupancy);
+    Section section(
+        table, "occupancy", [](auto& all) -> auto& { return all.occupancy; });
     section.number(&OccupancySettings::resolution_m, "resolution_m", "m", 0.005, 5, "edge of a grid cell");
     section.number(&OccupancySettings::obstacleMinimumHeight_m, "obstacle_minimum_height_m", "m", -10, 100,
                    "points higher than this over the floor are obstacles");
@@ -210,7 +242,8 @@ void addOccupancy(std::vector<ParameterField>& table) {
 }
 
 void addCostMap(std::vector<ParameterField>& table) {
-    Section section(table, "cost_map", &Parameters::costMap);
+    Section section(
+        table, "cost_map", [](auto& all) -> auto& { return all.costMap; });
     section.number(&CostMapSettings::inscribedRadius_m, "inscribed_radius_m", "m", 0, 100,
                    "the robot touches an obstacle that is this near");
     section.number(&CostMapSettings::inflationRadius_m, "inflation_radius_m", "m", 0, 100,
@@ -220,7 +253,8 @@ void addCostMap(std::vector<ParameterField>& table) {
 }
 
 void addWaypoints(std::vector<ParameterField>& table) {
-    Section section(table, "waypoints", &Parameters::waypoints);
+    Section section(
+        table, "waypoints", [](auto& all) -> auto& { return all.waypoints; });
     section.number(&WaypointSettings::minimumDistance_m, "minimum_distance_m", "m", 0, 100,
                    "nearest pose to the candidate");
     section.number(&WaypointSettings::maximumDistance_m, "maximum_distance_m", "m", 0.01, 100,
@@ -240,7 +274,8 @@ void addWaypoints(std::vector<ParameterField>& table) {
 }
 
 void addVisits(std::vector<ParameterField>& table) {
-    Section section(table, "visits", &Parameters::visits);
+    Section section(
+        table, "visits", [](auto& all) -> auto& { return all.visits; });
     section.number(&VisitSettings::acknowledgeTimeout_s, "acknowledge_timeout_s", "s", 0.1, 3600,
                    "a goal that the robot has not confirmed by then counts as not acknowledged");
     section.number(&VisitSettings::driveTimeout_s, "drive_timeout_s", "s", 1, 86400, "longest drive to a waypoint");

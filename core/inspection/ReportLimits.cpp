@@ -19,6 +19,11 @@ std::size_t countOf(const std::vector<CandidateVerdict>& verdicts, Verdict verdi
 
 /// An object needs two voxels a side to stand out from one that is noise.
 std::string smallestObject(const Parameters& parameters) {
+    if (parameters.discrepancy.downSampling == DownSampling::Random) {
+        return "Only a random " + percent(parameters.discrepancy.randomRatio) +
+               " of the map's points were compared, so small objects, and larger ones that lie flat or touch a "
+               "surface, can be missed. The rate at which objects are found was not measured in this inspection.";
+    }
     return "Objects smaller than about " + length(2.0 * parameters.discrepancy.voxelSize_m) +
            " (two voxels of the comparison), and larger ones that lie flat or touch a surface, can be missed; a map "
            "that is coarser than its voxels raises this size. The rate at which objects are found was not measured in "

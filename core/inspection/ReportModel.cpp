@@ -6,6 +6,7 @@
 #include "core/inspection/ParameterTable.h"
 #include "core/inspection/ReportCandidates.h"
 #include "core/inspection/ReportLimits.h"
+#include "core/inspection/ReportMethod.h"
 #include "core/inspection/ReportText.h"
 
 namespace fodscope {
@@ -153,22 +154,6 @@ std::vector<ReportField> parameterFields(const Parameters& parameters) {
     return fields;
 }
 
-std::string methodOf(const InspectionState& state) {
-    const Parameters& parameters = state.detection ? state.detection->parameters : state.parameters;
-    const bool mahalanobis = parameters.candidates.metric == Metric::Mahalanobis;
-    return std::string("The map was denoised, aligned with the reference map and reduced to voxels of ") +
-           length(parameters.discrepancy.voxelSize_m) + ". Each voxel's discrepancy is its " +
-           (mahalanobis ? "local Mahalanobis distance to the nearest reference point (unitless), "
-                        : "Euclidean distance to the nearest reference point, ") +
-           "smoothed over " + std::to_string(parameters.discrepancy.smoothingNeighbours) +
-           " neighbours. Voxels above the threshold of " +
-           (mahalanobis ? fixed(parameters.candidates.threshold, 2) : length(parameters.candidates.threshold)) +
-           " were clustered into candidates (centroid linkage, cutoff " +
-           length(parameters.candidates.clusterCutoff_m) +
-           "). Candidates were photographed by the robot and decided by people from the photos; the last decision of "
-           "each reader on each photo counts, and a candidate on which readers disagree or are not sure stays open.";
-}
-
 }  // namespace
 
 ReportModel makeReportModel(const InspectionState& state) {
@@ -188,7 +173,7 @@ ReportModel makeReportModel(const InspectionState& state) {
     model.coverage = coverageFields(state);
     model.counts = countFields(state, candidates);
     model.parameters = parameterFields(state.parameters);
-    model.method = methodOf(state);
+    model.method = methodOf(state.detection ? state.detection->parameters : state.parameters);
     model.missing = missingForIssue(state);
     model.limits = limitsOf(state);
     return model;

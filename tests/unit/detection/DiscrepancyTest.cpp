@@ -30,7 +30,7 @@ ReferenceMap trainedCube() {
 DiscrepancySettings settingsOf(double voxel, int smoothing) {
     DiscrepancySettings settings;
     settings.voxelSize_m = voxel;
-    settings.smoothingNeighbours = smoothing;
+    settings.smoothing.neighbours = smoothing;
     return settings;
 }
 
@@ -136,6 +136,108 @@ TEST(Discrepancy, IsUnknownWhereTheReferenceIsUntrained) {
         measureDiscrepancy(map, Transform::Identity(), reference, settingsOf(0.05, 3), progress);
     EXPECT_DOUBLE_EQ(wider.smoothedMahalanobis[2], field.mahalanobis[1]);
     EXPECT_FALSE(std::isnan(wider.smoothedEuclidean_m[3]));
+}
+
+/// Σ w n d / Σ w n over a ball around each voxel, by the definition.
+std::vector<double> smoothedInBalls(const DiscrepancyField& field, const std::vector<double>& values,
+                                    const SmoothingSettings& settings) {
+    std::vector<double> smoothed;
+    for (const Eigen::Vector3d& centre : field.points) {
+        double sum = 0.0;
+        double weights = 0.0;
+        for (std::size_t j = 0; j < field.size(); ++j) {
+            const double r = (field.points[j] - centre).norm();
+            if (r > settings.radius_m || std::isnan(values[j])) continue;
+            const double weight =
+                settings.weights == SmoothingWeights::Mean ? 1.0 : std::exp(-std::pow(r / settings.sigma_m, 2));
+            sum += weight * field.weights[j] * values[j];
+            weights += weight * field.weights[j];
+        }
+        smoothed.push_back(weights > 0.0 ? sum / weights : std::nan(""));
+    }
+    return smoothed;
+}
+
+TEST(Discrepancy, SmoothsInABallWithGaussianWeightsAndSeveralTimes) {
+    const ReferenceMap reference = trainedCube();
+    DiscrepancySettings settings = settingsOf(0.1, 7);
+    settings.smoothing = {SmoothingNeighbourhood::Ball, 7, 0.3, SmoothingWeights::Gaussian, 0.1};
+    settings.smoothingPasses = 2;
+    Progress progress;
+    const DiscrepancyField field =
+        measureDiscrepancy(randomPoints(2000, 36), Transform::Identity(), reference, settings, progress);
+    const auto twice = [&](const std::vector<double>& values) {
+        return smoothedInBalls(field, smoothedInBalls(field, values, settings.smoothing), settings.smoothing);
+    };
+    const std::vector<double> euclidean_m = twice(field.euclidean_m);
+    const std::vector<double> mahalanobis = twice(field.mahalanobis);
+    for (std::size_t i = 0; i < field.size(); ++i) {
+        EXPECT_NEAR(field.smoothedEuclidean_m[i], euclidean_m[i], 1e-12);
+        EXPECT_NEAR(field.smoothedMahalanobis[i], mahalanobis[i], 1e-9);
+    }
+    settings.smoothingPasses = 0;
+    EXPECT_EQ(measureDiscrepancy(randomPoints(2000, 36), Transform::Identity(), reference, settings, progress)
+                  .smoothedEuclidean_m,
+              field.euclidean_m);
+}
+
+TEST(Discrepancy, StaysUnknownInABallWhereNothingIsKnown) {
+    ReferenceMap reference;
+    reference.points = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.5, 5.0, 5.0}, {0.5, -5.0, -5.0}};
+    reference.covariance.assign(4, kCovariance);
+    reference.untrained = {0, 1, 0, 0};
+    DiscrepancySettings settings = settingsOf(0.05, 1);
+    settings.smoothing.neighbourhood = SmoothingNeighbourhood::Ball;
+    settings.smoothing.radius_m = 0.15;
+    settings.smoothing.weights = SmoothingWeights::Gaussian;
+    settings.smoothingPasses = 3;
+    Progress progress;
+    const std::vector<Eigen::Vector3d> map{{0.1, 0.0, 0.0}, {0.2, 0.0, 0.0}, {0.8, 0.0, 0.0}, {0.9, 0.0, 0.0}};
+    const DiscrepancyField field = measureDiscrepancy(map, Transform::Identity(), reference, settings, progress);
+    ASSERT_EQ(field.size(), 4u);
+    EXPECT_FALSE(std::isnan(field.smoothedMahalanobis[0]));
+    EXPECT_FALSE(std::isnan(field.smoothedMahalanobis[1]));
+    EXPECT_TRUE(std::isnan(field.smoothedMahalanobis[2]));
+    EXPECT_TRUE(std::isnan(field.smoothedMahalanobis[3]));
+    EXPECT_FALSE(std::isnan(field.smoothedEuclidean_m[3]));
+}
+
+TEST(Discrepancy, ComparesARandomShareOfThePoints) {
+    const ReferenceMap reference = trainedCube();
+    const auto map = randomPoints(2000, 37);
+    DiscrepancySettings settings = settingsOf(0.1, 1);
+    settings.cropToReference = false;
+    settings.downSampling = DownSampling::Random;
+    settings.randomRatio = 0.1;
+    Progress progress;
+    const auto measure = [&] { return measureDiscrepancy(map, Transform::Identity(), reference, settings, progress); };
+    const DiscrepancyField field = measure();
+    ASSERT_EQ(field.size(), 200u);
+    EXPECT_EQ(field.weights, std::vector<std::uint32_t>(200, 1));
+    auto next = map.begin();
+    for (const Eigen::Vector3d& point : field.points) {
+        next = std::find(next, map.end(), point);
+        ASSERT_NE(next, map.end());
+        ++next;
+    }
+    EXPECT_EQ(measure().points, field.points);
+    settings.randomSeed = 2;
+    EXPECT_NE(measure().points, field.points);
+}
+
+TEST(Discrepancy, AllSettingsOutOfRangeAreToldAtOnce) {
+    DiscrepancySettings settings = settingsOf(-1.0, 0);
+    settings.randomRatio = 2.0;
+    settings.smoothing.sigma_m = 0.0;
+    settings.smoothingPasses = -1;
+    Progress progress;
+    try {
+        measureDiscrepancy(randomPoints(50, 38), Transform::Identity(), trainedCube(), settings, progress);
+        FAIL();
+    } catch (const Error& error) {
+        for (const char* part : {"voxel size", "random ratio", "neighbours", "sigma", "passes"})
+            EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << part;
+    }
 }
 
 TEST(Discrepancy, TellsWhenMahalanobisIsAskedForWithoutCovariances) {

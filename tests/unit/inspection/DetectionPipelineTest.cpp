@@ -163,7 +163,7 @@ TEST(DetectionPipeline, ACancelledRunKeepsTheLastGoodResult) {
     Progress progress;
     const DetectionResult good = pipeline.run(paper(), progress);
     Parameters other = paper();
-    other.discrepancy.smoothingNeighbours = 20;
+    other.discrepancy.smoothing.neighbours = 20;
     Progress cancelled;
     cancelled.cancel();
     EXPECT_THROW(pipeline.run(other, cancelled), Cancelled);

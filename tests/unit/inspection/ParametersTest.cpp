@@ -113,8 +113,9 @@ TEST(Parameters, TheTableKnowsEveryField) {
         EXPECT_EQ(keysIn("registration"), 6U);
     }
     {
-        [[maybe_unused]] const auto& [a, b, c, d] = discrepancy;
-        EXPECT_EQ(keysIn("discrepancy"), 4U);
+        [[maybe_unused]] const auto& [a, b, c, d, e, f, smoothing, g] = discrepancy;
+        [[maybe_unused]] const auto& [h, i, j, k, l] = smoothing;
+        EXPECT_EQ(keysIn("discrepancy"), 7U + 5U);
     }
     {
         [[maybe_unused]] const auto& [a, b, c, d, e] = candidates;
