@@ -23,6 +23,8 @@ void addDetectionParameterOptions(CLI::App& command, ParameterOptions& options) 
         ->type_name("T");
     command.add_option("--cluster-cutoff", options.clusterCutoff_m, "clusters at most this far apart are merged [m]")
         ->type_name("C");
+    command.add_option("--linkage", options.linkage, "from where to where the distance of clusters is taken")
+        ->check(CLI::IsMember({"centroid", "single"}));
     command.add_option("--min-points", options.minimumPoints, "clusters with fewer voxels are dropped")->type_name("N");
     command
         .add_option("--crop-height", options.cropHeight_m, "points higher than this (reference frame) are dropped [m]")
@@ -35,6 +37,7 @@ Parameters parametersOf(const ParameterOptions& options) {
     if (options.metric) findParameter("candidates", "metric")->set(parameters, *options.metric);
     if (options.threshold) parameters.candidates.threshold = *options.threshold;
     if (options.clusterCutoff_m) parameters.candidates.clusterCutoff_m = *options.clusterCutoff_m;
+    if (options.linkage) findParameter("candidates", "linkage")->set(parameters, *options.linkage);
     if (options.minimumPoints) parameters.candidates.minimumPoints = *options.minimumPoints;
     if (options.cropHeight_m) parameters.discrepancy.cropHeight_m = *options.cropHeight_m;
     for (const std::string& problem : parameterProblems(parameters))

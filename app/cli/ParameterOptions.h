@@ -19,6 +19,7 @@ struct ParameterOptions {
     std::optional<std::string> metric;
     std::optional<double> threshold;
     std::optional<double> clusterCutoff_m;
+    std::optional<std::string> linkage;
     std::optional<int> minimumPoints;
     std::optional<double> cropHeight_m;
 };
@@ -26,7 +27,7 @@ struct ParameterOptions {
 /// --preset and --params
 void addPresetOptions(CLI::App& command, ParameterOptions& options);
 
-/// Those and --metric, --threshold, --cluster-cutoff, --min-points, --crop-height
+/// Those and --metric, --threshold, --cluster-cutoff, --linkage, --min-points, --crop-height
 void addDetectionParameterOptions(CLI::App& command, ParameterOptions& options);
 
 /// @throws Error for the file, UsageError for a single option out of range

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "core/common/Error.h"
-#include "core/detection/HierarchicalClustering.h"
 #include "core/detection/LeastAreaRectangle.h"
 
 namespace fodscope {
@@ -39,13 +38,14 @@ std::vector<std::uint32_t> voxelsAbove(const std::vector<double>& discrepancy, d
 }
 
 std::vector<std::vector<std::uint32_t>> clustersOf(const DiscrepancyField& field,
-                                                   const std::vector<std::uint32_t>& voxels, double cutoff_m,
-                                                   Progress& progress) {
+                                                   const std::vector<std::uint32_t>& voxels,
+                                                   const CandidateSettings& settings, Progress& progress) {
     std::vector<Eigen::Vector3d> points;
     points.reserve(voxels.size());
     for (const std::uint32_t voxel : voxels)
         points.push_back(field.points[voxel]);
-    const std::vector<std::uint32_t> labels = centroidLinkageClusters(points, cutoff_m, progress);
+    const std::vector<std::uint32_t> labels =
+        linkageClusters(points, settings.linkage, settings.clusterCutoff_m, progress);
     std::vector<std::vector<std::uint32_t>> clusters;
     for (std::size_t i = 0; i < labels.size(); ++i) {
         // Labels are numbered by first point, so a new one is always the next.
@@ -129,7 +129,7 @@ CandidateSet findCandidates(const DiscrepancyField& field, const CandidateSettin
     CandidateSet set;
     set.candidateOfVoxel.assign(field.size(), -1);
     set.pointsAboveThreshold = above.size();
-    for (std::vector<std::uint32_t>& voxels : clustersOf(field, above, settings.clusterCutoff_m, progress)) {
+    for (std::vector<std::uint32_t>& voxels : clustersOf(field, above, settings, progress)) {
         if (voxels.size() < static_cast<std::size_t>(settings.minimumPoints)) continue;
         Candidate candidate;
         candidate.voxels = std::move(voxels);

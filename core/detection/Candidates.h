@@ -9,6 +9,7 @@
 #include "core/common/Geometry.h"
 #include "core/common/Progress.h"
 #include "core/detection/Discrepancy.h"
+#include "core/detection/HierarchicalClustering.h"
 
 namespace fodscope {
 
@@ -24,6 +25,7 @@ struct CandidateSettings {
     double threshold = 2.75;
     /// Paper's clustering cutoff: 0.345 m (Mahalanobis), 0.279 m (Euclidean).
     double clusterCutoff_m = 0.345;
+    Linkage linkage = Linkage::Centroid;
     /// Clusters with fewer voxels are dropped. Paper: 0 (Mahalanobis), 4 (Euclidean).
     int minimumPoints = 0;
     CentroidKind centroid = CentroidKind::Plain;

@@ -206,14 +206,17 @@ void addCandidates(std::vector<ParameterField>& table) {
         setMetric(to, value);
         if (to.candidates.metric == before) return;
         // A threshold means nothing in the other metric's unit, so its own usual values come with it.
-        const CentroidKind centroid = to.candidates.centroid;
-        to.candidates = paperPhysicalCandidateSettings(to.candidates.metric);
-        to.candidates.centroid = centroid;
+        const CandidateSettings kept = to.candidates;
+        to.candidates = paperPhysicalCandidateSettings(kept.metric);
+        to.candidates.linkage = kept.linkage;
+        to.candidates.centroid = kept.centroid;
     };
     section.number(&CandidateSettings::threshold, "threshold", "", 0, 10000,
                    "a voxel is discrepant when its smoothed discrepancy is greater; metres for euclidean");
     section.number(&CandidateSettings::clusterCutoff_m, "cluster_cutoff_m", "m", 0, 100,
-                   "clusters whose centroids are at most this far apart are merged");
+                   "clusters at most this far apart are merged");
+    section.choice(&CandidateSettings::linkage, "linkage", {"centroid", "single"},
+                   "how far clusters are apart: from centroid to centroid, or from nearest point to nearest point");
     section.whole(&CandidateSettings::minimumPoints, "minimum_points", 0, 1000000,
                   "clusters with fewer voxels are dropped");
     section.choice(&CandidateSettings::centroid, "centroid", {"plain", "discrepancy-weighted"},

@@ -30,6 +30,7 @@ std::string smoothing(const DiscrepancySettings& settings) {
 }  // namespace
 
 std::string methodOf(const Parameters& parameters) {
+    const std::string linkage = parameters.candidates.linkage == Linkage::Single ? "single" : "centroid";
     const bool mahalanobis = parameters.candidates.metric == Metric::Mahalanobis;
     return std::string("The map was ") + (parameters.denoise.enabled ? "denoised, " : "") +
            "aligned with the reference map and " + thinning(parameters.discrepancy) + " is its " +
@@ -37,7 +38,7 @@ std::string methodOf(const Parameters& parameters) {
                         : "Euclidean distance to the nearest reference point, ") +
            smoothing(parameters.discrepancy) + ". Voxels above the threshold of " +
            (mahalanobis ? fixed(parameters.candidates.threshold, 2) : length(parameters.candidates.threshold)) +
-           " were clustered into candidates (centroid linkage, cutoff " +
+           " were clustered into candidates (" + linkage + " linkage, cutoff " +
            length(parameters.candidates.clusterCutoff_m) +
            "). Candidates were photographed by the robot and decided by people from the photos; the last decision of "
            "each reader on each photo counts, and a candidate on which readers disagree or are not sure stays open.";

@@ -71,6 +71,21 @@ TEST(Candidates, CanWeighTheCentroidByDiscrepancy) {
     EXPECT_NEAR(set.candidates[0].centroid_reference.x(), expected, 1e-12);
 }
 
+TEST(Candidates, CanBeJoinedBySingleLinkage) {
+    DiscrepancyField field;
+    for (int i = 0; i < 10; ++i) {
+        field.points.emplace_back(0.1 * i, 0.0, 0.0);
+        field.smoothedEuclidean_m.push_back(0.5);
+    }
+    Progress progress;
+    CandidateSettings settings = euclidean();
+    settings.clusterCutoff_m = 0.11;
+    const auto find = [&] { return findCandidates(field, settings, 0.02, 0.0, Transform::Identity(), progress); };
+    EXPECT_EQ(find().candidates.size(), 5u);
+    settings.linkage = Linkage::Single;
+    EXPECT_EQ(find().candidates.size(), 1u);
+}
+
 TEST(Candidates, WithFewerVoxelsThanTheLeastAreDropped) {
     Progress progress;
     CandidateSettings settings = euclidean();

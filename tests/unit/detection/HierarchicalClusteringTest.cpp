@@ -4,60 +4,22 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <map>
-#include <sstream>
-#include <string>
 
 #include "core/common/Error.h"
 #include "tests/unit/cloud/RandomPoints.h"
+#include "tests/unit/detection/BruteForceClusters.h"
 
 namespace fodscope {
 namespace {
 
-using Labels = std::vector<std::uint32_t>;
-
 Labels cluster(const std::vector<Eigen::Vector3d>& points, double cutoff_m) {
     Progress progress;
-    return centroidLinkageClusters(points, cutoff_m, progress);
+    return linkageClusters(points, Linkage::Centroid, cutoff_m, progress);
 }
 
-/// The definition, step by step: of all pairs merge the closest one, with the centroid as the mean of all members.
 Labels bruteForce(const std::vector<Eigen::Vector3d>& points, double cutoff_m) {
-    std::vector<std::vector<std::uint32_t>> clusters;
-    for (std::uint32_t i = 0; i < points.size(); ++i)
-        clusters.push_back({i});
-    const auto centroid = [&](const std::vector<std::uint32_t>& members) {
-        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-        for (const std::uint32_t member : members)
-            sum += points[member];
-        return Eigen::Vector3d(sum / static_cast<double>(members.size()));
-    };
-    while (true) {
-        std::vector<Eigen::Vector3d> centroids;
-        for (const auto& members : clusters)
-            centroids.push_back(centroid(members));
-        double least = std::numeric_limits<double>::infinity();
-        std::size_t first = 0;
-        std::size_t second = 0;
-        for (std::size_t i = 0; i < clusters.size(); ++i) {
-            for (std::size_t j = i + 1; j < clusters.size(); ++j) {
-                const double distance = (centroids[i] - centroids[j]).norm();
-                if (distance >= least) continue;
-                least = distance;
-                first = i;
-                second = j;
-            }
-        }
-        if (!(least <= cutoff_m)) break;
-        clusters[first].insert(clusters[first].end(), clusters[second].begin(), clusters[second].end());
-        clusters.erase(clusters.begin() + static_cast<std::ptrdiff_t>(second));
-    }
-    Labels labels(points.size());
-    for (std::uint32_t label = 0; label < clusters.size(); ++label)
-        for (const std::uint32_t member : clusters[label])
-            labels[member] = label;
-    return labels;
+    return BruteForceClusters(points, Linkage::Centroid).at(cutoff_m);
 }
 
 TEST(CentroidLinkage, AgreesWithBruteForce) {
@@ -66,32 +28,6 @@ TEST(CentroidLinkage, AgreesWithBruteForce) {
         for (const double cutoff : {0.0, 0.05, 0.1, 0.2, 0.3, 0.5, 2.0})
             ASSERT_EQ(cluster(points, cutoff), bruteForce(points, cutoff)) << "seed " << seed << " cutoff " << cutoff;
     }
-}
-
-TEST(CentroidLinkage, AgreesWithScipy) {
-    std::ifstream file(std::string(FODSCOPE_TEST_DATA) + "/clustering/centroid_linkage.csv");
-    ASSERT_TRUE(file);
-    std::vector<double> cutoffs;
-    std::vector<Eigen::Vector3d> points;
-    std::vector<Labels> expected;
-    std::string line;
-    std::getline(file, line);
-    std::istringstream header(line);
-    for (std::string word; std::getline(header, word, ',');)
-        if (word != "x" && word != "y" && word != "z") cutoffs.push_back(std::stod(word));
-    expected.resize(cutoffs.size());
-    while (std::getline(file, line)) {
-        std::istringstream row(line);
-        std::vector<double> values;
-        for (std::string word; std::getline(row, word, ',');)
-            values.push_back(std::stod(word));
-        points.emplace_back(values[0], values[1], values[2]);
-        for (std::size_t i = 0; i < cutoffs.size(); ++i)
-            expected[i].push_back(static_cast<std::uint32_t>(values[3 + i]));
-    }
-    ASSERT_EQ(points.size(), 420u);
-    for (std::size_t i = 0; i < cutoffs.size(); ++i)
-        EXPECT_EQ(cluster(points, cutoffs[i]), expected[i]) << "cutoff " << cutoffs[i];
 }
 
 TEST(CentroidLinkage, DoesNotJoinThroughAnInversion) {
@@ -171,7 +107,7 @@ TEST(CentroidLinkage, RefusesACutoffThatIsNoLength) {
 TEST(CentroidLinkage, StopsWhenCancelled) {
     Progress progress;
     progress.cancel();
-    EXPECT_THROW(centroidLinkageClusters(randomPoints(10, 1), 0.3, progress), Cancelled);
+    EXPECT_THROW(linkageClusters(randomPoints(10, 1), Linkage::Centroid, 0.3, progress), Cancelled);
 }
 
 }  // namespace

@@ -166,6 +166,15 @@ TEST(Parameters, AnotherMetricBringsItsUsualValuesAndTheFilesOwnGoOverThem) {
     EXPECT_EQ(euclidean.candidates.minimumPoints, 4);
 }
 
+TEST(Parameters, TheLinkageIsCentroidUnlessChosenAndOutlivesAnotherMetric) {
+    EXPECT_EQ(paper().candidates.linkage, Linkage::Centroid);
+    const Parameters single = parsed("candidates: {linkage: single, metric: euclidean}");
+    EXPECT_EQ(single.candidates.linkage, Linkage::Single);
+    EXPECT_EQ(parseParameters("candidates: {metric: mahalanobis}", "test.yaml", single).candidates.linkage,
+              Linkage::Single);
+    EXPECT_THAT(problemWith("candidates: {linkage: complete}"), HasSubstr("centroid or single"));
+}
+
 TEST(Parameters, AnUnknownKeyNamesTheNearestKnownOne) {
     EXPECT_THAT(problemWith("candidates:\n  treshold: 3\n"),
                 HasSubstr("line 2: unknown key 'candidates.treshold' (nearest known: 'candidates.threshold')"));
