@@ -118,8 +118,8 @@ TEST(Parameters, TheTableKnowsEveryField) {
         EXPECT_EQ(keysIn("discrepancy"), 7U + 5U);
     }
     {
-        [[maybe_unused]] const auto& [a, b, c, d, e] = candidates;
-        EXPECT_EQ(keysIn("candidates"), 5U);
+        [[maybe_unused]] const auto& [a, b, c, d, e, f] = candidates;
+        EXPECT_EQ(keysIn("candidates"), 6U);
     }
     {
         [[maybe_unused]] const auto& [a] = coverage;
