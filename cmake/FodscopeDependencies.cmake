@@ -1,7 +1,6 @@
 # Everything comes from Debian 12's packages; packaging/dependencies.txt lists them.
 find_package(Threads REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
-find_package(nanoflann REQUIRED)
 find_package(TBB REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(yaml-cpp REQUIRED)

@@ -18,9 +18,9 @@ struct Neighbour {
     double squaredDistance_m2 = 0.0;
 };
 
-/// The one nearest-neighbour search that everything uses (a kd-tree of nanoflann, exact, in double precision). It keeps
-/// its own copy of the points, in an order that is kind to the cache. Answers do not depend on the number of threads;
-/// of points at the same distance the one with the lower index comes first.
+/// The one nearest-neighbour search that everything uses: exact, in double precision, over compact blocks of points (see
+/// BlockTree.h). It keeps its own copy of the points. Answers do not depend on the number of threads; of points at the
+/// same distance the one with the lower index comes first.
 ///
 /// The functions that take a Progress look at it often enough to be cancelled at once; with a stage name they also
 /// report their fraction under that name.

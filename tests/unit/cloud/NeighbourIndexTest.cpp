@@ -71,6 +71,49 @@ TEST(NeighbourIndex, GivesTiesToTheLowerIndex) {
     }
 }
 
+/// Clouds that are hard on a tree: a stray point far away, two dense lumps, a line, thousands of points in few places.
+std::vector<std::vector<Eigen::Vector3d>> difficultClouds() {
+    std::vector<std::vector<Eigen::Vector3d>> clouds;
+    auto stray = randomPoints(900, 11);
+    stray.emplace_back(1e9, -1e9, 1e9);
+    clouds.push_back(stray);
+    auto lumps = randomPoints(400, 12);
+    for (const Eigen::Vector3d& point : randomPoints(400, 13))
+        lumps.push_back(1e-4 * point + Eigen::Vector3d(50.0, 0.0, 0.0));
+    clouds.push_back(lumps);
+    std::vector<Eigen::Vector3d> line;
+    for (int i = 0; i < 500; ++i)
+        line.emplace_back(0.01 * i, 0.0, 0.0);
+    clouds.push_back(line);
+    std::vector<Eigen::Vector3d> piles;
+    for (int i = 0; i < 1500; ++i)
+        piles.emplace_back(i % 3, 0.0, 0.0);
+    clouds.push_back(piles);
+    return clouds;
+}
+
+TEST(NeighbourIndex, AgreesWithBruteForceOnDifficultClouds) {
+    for (const auto& points : difficultClouds()) {
+        const NeighbourIndex index(points);
+        std::vector<Eigen::Vector3d> queries = randomPoints(20, 14);
+        for (std::size_t i = 0; i < points.size(); i += 41)
+            queries.push_back(points[i]);
+        for (const std::size_t k : {1U, 2U, 50U, 450U}) {
+            std::vector<std::vector<std::uint32_t>> found(queries.size());
+            Progress progress;
+            index.forEachKNearest(
+                queries, k,
+                [&](std::size_t i, std::span<const Neighbour> neighbours) { found[i] = indices(neighbours); },
+                progress);
+            for (std::size_t i = 0; i < queries.size(); ++i) {
+                auto expected = bruteForce(points, queries[i]);
+                expected.resize(std::min(k, expected.size()));
+                ASSERT_EQ(found[i], indices(expected)) << "query " << i << ", k " << k;
+            }
+        }
+    }
+}
+
 TEST(NeighbourIndex, FindsCoincidentPointsInOrder) {
     const std::vector<Eigen::Vector3d> points(1000, Eigen::Vector3d(1.0, 2.0, 3.0));
     const NeighbourIndex index(points);
