@@ -27,6 +27,8 @@ class Command : public QAction {
     virtual void run() = 0;
     /// Whether it can be done now; asked again after every change of the inspection.
     virtual bool isAvailable() const { return true; }
+    /// Why it cannot be done now, when isAvailable() says no; buttons tell it in their tool tip.
+    virtual QString obstacle() const { return {}; }
     /// For commands whose words depend on the state, such as undo.
     virtual void refresh();
 

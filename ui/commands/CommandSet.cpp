@@ -22,7 +22,7 @@ struct MenuPlan {
 std::vector<MenuPlan> menus() {
     return {{QObject::tr("&Inspection"),
              {"session.new", "session.builtin", "session.open", "", "session.close", "", "session.quit"}},
-            {QObject::tr("&Edit"), {"edit.undo", "edit.redo", "", "task.cancel", "view.leave"}},
+            {QObject::tr("&Edit"), {"edit.undo", "edit.redo", "", "settings.all", "", "task.cancel", "view.leave"}},
             {QObject::tr("&View"),
              {"step.1", "step.2", "step.3", "step.4", "step.5", "step.6", "", "view.fit", "reference.heatmap", "",
               "view.theme"}},
@@ -39,12 +39,14 @@ std::vector<MenuPlan> menus() {
             {QObject::tr("&Help"), {"help.manual", "help.keys", "help.palette"}}};
 }
 
-QString toolTipOf(const QAction& action) {
-    const QString key = action.shortcut().toString(QKeySequence::NativeText);
-    return key.isEmpty() ? action.toolTip() : QStringLiteral("%1 (%2)").arg(action.toolTip(), key);
+QString toolTipOf(const Command& command) {
+    const QString key = command.shortcut().toString(QKeySequence::NativeText);
+    const QString tip = key.isEmpty() ? command.toolTip() : QStringLiteral("%1 (%2)").arg(command.toolTip(), key);
+    const QString obstacle = command.isEnabled() ? QString() : command.obstacle();
+    return obstacle.isEmpty() ? tip : QObject::tr("%1\nNot now: %2").arg(tip, obstacle);
 }
 
-void follow(QPushButton& button, const QAction& action, ButtonRole role) {
+void follow(QPushButton& button, const Command& action, ButtonRole role) {
     button.setText(action.text());
     // Icons are drawn in the text's colour, which does not show on the accent.
     if (role == ButtonRole::Normal) button.setIcon(action.icon());
@@ -101,6 +103,7 @@ CommandSet::CommandSet(CommandContext context, QObject* parent) : QObject(parent
         add<GoToStepCommand>(static_cast<Step>(step));
     add<FitViewsCommand>();
     add<ToggleThemeCommand>();
+    add<SettingsCommand>();
     add<ManualCommand>();
     add<ShortcutsCommand>();
     add<PaletteCommand>();

@@ -14,6 +14,8 @@ class Navigation {
     virtual Step currentStep() const = 0;
     /// Moves the threshold by steps of the step's slider, as a key press on it would.
     virtual void stepThreshold(int steps, bool coarse) = 0;
+    /// Opens all settings of the inspection.
+    virtual void showSettings() = 0;
     virtual void toggleShortcuts() = 0;
     /// Opens the manual at the current step.
     virtual void showManual() = 0;

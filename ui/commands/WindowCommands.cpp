@@ -62,6 +62,25 @@ void ToggleThemeCommand::run() {
     navigation().toggleTheme();
 }
 
+SettingsCommand::SettingsCommand(CommandContext& context)
+    : Command(context, QStringLiteral("settings.all"), QObject::tr("All settings…")) {
+    setPicture(Icon::Settings);
+    setKeys({QKeySequence(QStringLiteral("Ctrl+,"))});
+    setToolTip(QObject::tr("Every parameter of every stage, with presets and parameter files"));
+}
+
+void SettingsCommand::run() {
+    navigation().showSettings();
+}
+
+bool SettingsCommand::isAvailable() const {
+    return controller().isOpen();
+}
+
+QString SettingsCommand::obstacle() const {
+    return QObject::tr("open an inspection first");
+}
+
 ShortcutsCommand::ShortcutsCommand(CommandContext& context)
     : Command(context, QStringLiteral("help.keys"), QObject::tr("All keys")) {
     setPicture(Icon::Keyboard);

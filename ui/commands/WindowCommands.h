@@ -31,6 +31,14 @@ class ToggleThemeCommand : public Command {
     void run() override;
 };
 
+class SettingsCommand : public Command {
+  public:
+    explicit SettingsCommand(CommandContext& context);
+    void run() override;
+    bool isAvailable() const override;
+    QString obstacle() const override;
+};
+
 class ShortcutsCommand : public Command {
   public:
     explicit ShortcutsCommand(CommandContext& context);

@@ -6,6 +6,7 @@
 
 #include "core/common/Error.h"
 #include "storage/SessionFile.h"
+#include "ui/session/ParameterUse.h"
 #include "ui/session/RecentSessions.h"
 #include "ui/session/Resources.h"
 
@@ -171,6 +172,42 @@ void InspectionController::setHeader(const InspectionHeader& header) {
 void InspectionController::setParameters(const Parameters& parameters) {
     if (!inspection_ || parameters == state().parameters) return;
     if (attempt([&] { inspection_->setParameters(parameters); })) emit parametersChanged();
+}
+
+void InspectionController::applyParameters(const Parameters& parameters) {
+    const Parameters before = state().parameters;
+    if (!inspection_ || parameters == before) return;
+    keepParameters(parameters, [this, before, parameters] {
+        history_.add({tr("settings"), [this, before] { keepParameters(before, {}); },
+                      [this, parameters] { keepParameters(parameters, {}); }});
+        emit historyChanged();
+    });
+}
+
+void InspectionController::keepParameters(const Parameters& parameters, const std::function<void()>& afterwards) {
+    const Parameters before = state().parameters;
+    const bool isAllowed = attempt([&] {
+        if (candidatesAreFrozen() &&
+            !(sameFor(ParameterUse::Detection, parameters, before) && sameFor(ParameterUse::Plan, parameters, before)))
+            throw Error("settings", "candidates and plan are frozen because the visits have begun",
+                        "start a new inspection for other ones");
+        if (visits_.runnerState() == RunnerState::Running && !sameFor(ParameterUse::Visits, parameters, before))
+            throw Error("settings", "the visits are under way", "pause them first, and apply again");
+    });
+    if (!isAllowed) return;
+    if (!sameFor(ParameterUse::Detection, parameters, before) && state().reference && state().mapSource) {
+        detectWith(parameters, afterwards);
+        return;
+    }
+    setParameters(parameters);
+    if (state().parameters != parameters) return;
+    if (state().plan && !sameFor(ParameterUse::Visits, parameters, before))
+        visits_.setPlan(*state().plan, resumable(state().visits), parameters.visits);
+    if (state().plan && !sameFor(ParameterUse::Plan, parameters, before))
+        emit noticeRaised(tr("The plan was made with the settings before. Plan the visits again."));
+    if (!sameFor(ParameterUse::Reference, parameters, before))
+        emit noticeRaised(tr("These settings count for the next reference that is made."));
+    if (afterwards) afterwards();
 }
 
 void InspectionController::undo() {

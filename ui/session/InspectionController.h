@@ -62,6 +62,9 @@ class InspectionController : public QObject {
     /// Aligns the map, measures the discrepancy and finds candidates.
     void detect();
     void setParameters(const Parameters& parameters);
+    /// Keeps parameters and makes what rests on them anew: the detection where they are about it. They are kept once
+    /// that succeeded, so a cancelled or failed detection leaves everything as it was. Can be undone.
+    void applyParameters(const Parameters& parameters);
 
     // --- candidates --------------------------------------------------------------------------------------------------
     /// Shows candidates for other settings without keeping them; the last call wins.
@@ -181,6 +184,9 @@ class InspectionController : public QObject {
     void adoptMap(const SourceFile& source, const LoadedMap& map);
     void afterInputChanged();
     void adoptCandidates(const Parameters& parameters, const DetectionResult& result);
+    /// Detects with parameters that become those of the inspection when it succeeds.
+    void detectWith(const Parameters& parameters, const std::function<void()>& afterwards);
+    void keepParameters(const Parameters& parameters, const std::function<void()>& afterwards);
     void keepCandidateSettings(const CandidateSettings& settings, const std::function<void()>& afterwards);
     void dropPreview();
     void refreshVerdicts();

@@ -123,6 +123,10 @@ void InspectionController::clearGivenTransform() {
 }
 
 void InspectionController::detect() {
+    detectWith(state().parameters, {});
+}
+
+void InspectionController::detectWith(const Parameters& parameters, const std::function<void()>& afterwards) {
     const bool ready = attempt([this] {
         if (!state().reference) throw Error("reference", "there is none yet", "load a reference map in step 1");
         if (!state().mapSource) throw Error("map", "there is none yet", "load the map under inspection in step 2");
@@ -133,18 +137,19 @@ void InspectionController::detect() {
     if (!ready) return;
     auto reread = std::make_shared<std::optional<LoadedMap>>(map_);
     runFor(Step::Map, tr("detecting"),
-           [this, reread, pipeline = pipeline_, reference = state().reference, source = *state().mapSource,
-            parameters = state().parameters, given = givenTransform_](Progress& progress) -> TaskRunner::Adopt {
+           [this, reread, parameters, afterwards, pipeline = pipeline_, reference = state().reference,
+            source = *state().mapSource, given = givenTransform_](Progress& progress) -> TaskRunner::Adopt {
                if (!*reread) *reread = rereadMap(source, progress);
                pipeline->setReference(reference);
                pipeline->setMap((*reread)->cloud);
                pipeline->setGivenTransform(given);
                const DetectionResult result = pipeline->run(parameters, progress);
-               return [this, reread, parameters, result] {
+               return [this, reread, parameters, afterwards, result] {
                    const bool isNew = !map_;
                    map_ = *reread;
                    adoptCandidates(parameters, result);
                    if (isNew) emit mapChanged();
+                   if (afterwards) afterwards();
                    if (std::exchange(isBuiltinPending_, false)) emit builtinTankReady();
                };
            });

@@ -33,6 +33,7 @@
 #include "ui/panels/StatusStrip.h"
 #include "ui/panels/VisitPanel.h"
 #include "ui/session/RecentSessions.h"
+#include "ui/settings/SettingsDialog.h"
 #include "ui/widgets/Toast.h"
 #include "ui/window/Centre.h"
 #include "ui/window/FileDrop.h"
@@ -69,7 +70,7 @@ bool wantsKey(const QWidget* widget, int key) {
 }  // namespace
 
 MainWindow::MainWindow(InspectionController& controller, FileDialogs& files, QWidget* parent)
-    : QMainWindow(parent), controller_(controller) {
+    : QMainWindow(parent), controller_(controller), files_(files) {
     setObjectName(QStringLiteral("mainWindow"));
     setWindowTitle(QStringLiteral("Fodscope"));
     setWindowIcon(applicationIcon());
@@ -99,6 +100,7 @@ MainWindow::MainWindow(InspectionController& controller, FileDialogs& files, QWi
 
 MainWindow::~MainWindow() {
     qApp->removeEventFilter(this);
+    delete settings_;
     // What is hidden while it goes must not be remembered as closed by the operator.
     for (QDockWidget* dock : {stepDock_, evidenceDock_, tableDock_})
         dock->disconnect(this);
@@ -260,6 +262,13 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
 
 void MainWindow::stepThreshold(int steps, bool coarse) {
     candidatesPanel_->stepThreshold(steps, coarse);
+}
+
+void MainWindow::showSettings() {
+    if (!settings_) settings_ = new SettingsDialog(controller_, files_, this);
+    settings_->show();
+    settings_->raise();
+    settings_->activateWindow();
 }
 
 void MainWindow::toggleShortcuts() {

@@ -17,6 +17,7 @@ class Centre;
 class CommandPalette;
 class CommandSet;
 class ManualWindow;
+class SettingsDialog;
 class ShortcutsOverlay;
 class TitleRow;
 class Toast;
@@ -42,6 +43,7 @@ class MainWindow : public QMainWindow, private Navigation {
 
   private:
     void stepThreshold(int steps, bool coarse) override;
+    void showSettings() override;
     void toggleShortcuts() override;
     void showManual() override;
     void togglePalette() override;
@@ -63,6 +65,7 @@ class MainWindow : public QMainWindow, private Navigation {
     void restorePlaces();
 
     InspectionController& controller_;
+    FileDialogs& files_;
     std::unique_ptr<CommandSet> commands_;
     Step step_ = Step::Reference;
     TitleRow* title_ = nullptr;
@@ -75,8 +78,9 @@ class MainWindow : public QMainWindow, private Navigation {
     Toast* toast_ = nullptr;
     ShortcutsOverlay* shortcuts_ = nullptr;
     CommandPalette* palette_ = nullptr;
-    /// Made when it is first asked for.
+    /// Made when they are first asked for.
     ManualWindow* manual_ = nullptr;
+    SettingsDialog* settings_ = nullptr;
     bool placingDocks_ = false;
     bool followsPhotos_ = false;
 };
