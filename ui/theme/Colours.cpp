@@ -16,6 +16,11 @@ constexpr std::array<QRgb, kCandidateColours> kOkabeIto = {
     qRgb(0xE6, 0x9F, 0x00), qRgb(0x56, 0xB4, 0xE9), qRgb(0x00, 0x9E, 0x73), qRgb(0xF0, 0xE4, 0x42),
     qRgb(0x00, 0x72, 0xB2), qRgb(0xD5, 0x5E, 0x00), qRgb(0xCC, 0x79, 0xA7), qRgb(0x99, 0x99, 0x99)};
 
+/// ColorBrewer's RdBu of seven (Apache 2.0, C. Brewer), from blue to red.
+constexpr std::array<QRgb, 7> kRedBlue = {qRgb(0x21, 0x66, 0xAC), qRgb(0x67, 0xA9, 0xCF), qRgb(0xD1, 0xE5, 0xF0),
+                                          qRgb(0xF7, 0xF7, 0xF7), qRgb(0xFD, 0xDB, 0xC7), qRgb(0xEF, 0x8A, 0x62),
+                                          qRgb(0xB2, 0x18, 0x2B)};
+
 }  // namespace
 
 QColor candidateColour(int index) {
@@ -40,6 +45,13 @@ QColor viridis(double t) {
     const auto below = std::min(static_cast<std::size_t>(position), kViridis.size() - 2);
     const double share = position - static_cast<double>(below);
     return mixed(QColor(QRgb(kViridis[below])), QColor(QRgb(kViridis[below + 1])), share);
+}
+
+QColor diverging(double t) {
+    if (std::isnan(t)) return {};
+    const double position = std::clamp(t, 0.0, 1.0) * (kRedBlue.size() - 1);
+    const auto below = std::min(static_cast<std::size_t>(position), kRedBlue.size() - 2);
+    return mixed(QColor(kRedBlue[below]), QColor(kRedBlue[below + 1]), position - static_cast<double>(below));
 }
 
 QColor mixed(const QColor& a, const QColor& b, double share) {

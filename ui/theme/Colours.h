@@ -16,6 +16,10 @@ QColor candidateColour(const QString& candidateId);
 /// matplotlib's viridis at t in 0..1, clamped; an invalid QColor for NaN, which must never look like a value.
 QColor viridis(double t);
 
+/// Blue over light grey to red at t in 0..1, clamped, for deviations to either side: ColorBrewer's RdBu, which
+/// colour-blind people can read; an invalid QColor for NaN.
+QColor diverging(double t);
+
 /// @return `a` with `share` of `b` mixed in (0: a, 1: b)
 QColor mixed(const QColor& a, const QColor& b, double share);
 

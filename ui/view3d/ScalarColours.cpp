@@ -13,8 +13,8 @@ namespace {
 constexpr double kDimming = 0.55;
 constexpr std::size_t kSteps = 512;
 
-QRgb known(double t, bool above, const Theme& theme) {
-    const QColor full = viridis(t);
+QRgb known(double t, ColourScale scale, bool above, const Theme& theme) {
+    const QColor full = scaleColour(t, scale);
     return (above ? full : mixed(full, theme.surface2, kDimming)).rgb();
 }
 
@@ -29,6 +29,10 @@ double positionIn(const ScalarStyle& style, double value) {
 
 }  // namespace
 
+QColor scaleColour(double t, ColourScale scale) {
+    return scale == ColourScale::Diverging ? diverging(t) : viridis(t);
+}
+
 ValueGroup valueGroup(double value, const ScalarStyle& style) {
     if (std::isnan(value)) return ValueGroup::Unknown;
     return !style.threshold || value > *style.threshold ? ValueGroup::Above : ValueGroup::Below;
@@ -37,7 +41,7 @@ ValueGroup valueGroup(double value, const ScalarStyle& style) {
 QRgb scalarColour(double value, const ScalarStyle& style, const Theme& theme) {
     const ValueGroup group = valueGroup(value, style);
     if (group == ValueGroup::Unknown) return unknown(theme);
-    return known(positionIn(style, value), group == ValueGroup::Above, theme);
+    return known(positionIn(style, value), style.scale, group == ValueGroup::Above, theme);
 }
 
 std::vector<QRgb> scalarColours(std::span<const double> values, const ScalarStyle& style, const Theme& theme) {
@@ -45,8 +49,8 @@ std::vector<QRgb> scalarColours(std::span<const double> values, const ScalarStyl
     std::array<std::array<QRgb, kSteps>, 2> table;
     for (std::size_t step = 0; step < kSteps; ++step) {
         const double t = static_cast<double>(step) / (kSteps - 1);
-        table[0][step] = known(t, false, theme);
-        table[1][step] = known(t, true, theme);
+        table[0][step] = known(t, style.scale, false, theme);
+        table[1][step] = known(t, style.scale, true, theme);
     }
     const QRgb none = unknown(theme);
     std::vector<QRgb> colours(values.size());

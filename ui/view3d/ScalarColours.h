@@ -17,7 +17,10 @@ enum class ValueGroup : std::uint8_t { Unknown, Below, Above };
 /// NaN is Unknown. Without a threshold everything known is Above.
 ValueGroup valueGroup(double value, const ScalarStyle& style);
 
-/// The colour of a value: viridis over the absolute range; below the threshold dimmed towards the background; NaN in
+/// @param t in 0..1
+QColor scaleColour(double t, ColourScale scale);
+
+/// The colour of a value: the scale over the absolute range; below the threshold dimmed towards the background; NaN in
 /// the theme's grey, which viridis does not contain.
 QRgb scalarColour(double value, const ScalarStyle& style, const Theme& theme);
 std::vector<QRgb> scalarColours(std::span<const double> values, const ScalarStyle& style, const Theme& theme);

@@ -37,6 +37,9 @@ QString toString(ViewLayer layer);
 
 enum class StandardView { Top, Front, Side, Isometric };
 
+/// Viridis for amounts, Diverging for signed deviations from zero.
+enum class ColourScale { Viridis, Diverging };
+
 /// How a number at each point is coloured and what the legend says. Values, range and threshold in the same unit;
 /// the legend shows them times `displayFactor`, followed by `unit` (metres as mm: 1000).
 struct ScalarStyle {
@@ -47,6 +50,13 @@ struct ScalarStyle {
     /// The range is absolute: it does not change with the data, so that one colour means one value all day.
     double minimum = 0.0;
     double maximum = 1.0;
+    ColourScale scale = ColourScale::Viridis;
+    /// Values also lie under the minimum: the legend then says "≤" there, as it always says "≥" at the maximum.
+    bool reachesBelow = false;
+    /// What the legend calls points without a value; empty: "not known".
+    QString unknownWord;
+    /// Draws points without a value in full, in stripes, instead of faintly: where nothing is known matters as much.
+    bool stripesUnknown = false;
     /// Values strictly greater are drawn larger and in full colour, others dimmed. Empty: all alike.
     std::optional<double> threshold;
 };

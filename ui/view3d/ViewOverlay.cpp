@@ -11,6 +11,7 @@
 
 #include "ui/theme/Colours.h"
 #include "ui/theme/Icons.h"
+#include "ui/view3d/ScalarColours.h"
 #include "ui/widgets/StatusChip.h"
 
 namespace fodscope {
@@ -35,6 +36,10 @@ QColor glass(const Theme& theme) {
 QString withUnit(double value, const ScalarStyle& style) {
     const QString number = QLocale().toString(value * style.displayFactor, 'f', style.decimals);
     return style.unit.isEmpty() ? number : number + kThinSpace + style.unit;
+}
+
+QString unknownWord(const ScalarStyle& style) {
+    return style.unknownWord.isEmpty() ? ViewOverlay::tr("not known") : style.unknownWord;
 }
 
 void paintPanel(QPainter& painter, const QRectF& area, const Theme& theme, const QColor& edge) {
@@ -187,11 +192,11 @@ QRectF ViewOverlay::legendArea() const {
     const QFontMetricsF fonts(fontFor(TextRole::Caption));
     const ScalarStyle& style = legend_->style;
     double numbers = std::max(fonts.horizontalAdvance(withUnit(style.maximum, style)) + 10.0,
-                              fonts.horizontalAdvance(withUnit(style.minimum, style)));
+                              fonts.horizontalAdvance(withUnit(style.minimum, style)) + 10.0);
     if (style.threshold) numbers = std::max(numbers, fonts.horizontalAdvance(withUnit(*style.threshold, style)) + 8.0);
-    if (legend_->anyUnknown) numbers = std::max(numbers, fonts.horizontalAdvance(tr("not known")));
+    if (legend_->anyUnknown) numbers = std::max(numbers, fonts.horizontalAdvance(unknownWord(style)));
     const double width =
-        std::max(kLegendBar_px + 10.0 + numbers, std::min(150.0, fonts.horizontalAdvance(style.title)));
+        std::max(kLegendBar_px + 10.0 + numbers, std::min(180.0, fonts.horizontalAdvance(style.title)));
     const double height =
         std::min(kLegendHeight_px, std::max(80.0, this->height() * 0.45)) + 36.0 + (legend_->anyUnknown ? 24.0 : 0.0);
     return QRectF(this->width() - kMargin_px - width - 20.0, kMargin_px, width + 20.0, height);
@@ -221,7 +226,7 @@ void ViewOverlay::paintLegend(QPainter& painter) const {
         const double t = 1.0 - (row + 0.5) / bar.height();
         const double value = style.minimum + t * span;
         const bool above = !style.threshold || value > *style.threshold;
-        const QColor full = viridis(t);
+        const QColor full = scaleColour(t, style.scale);
         painter.fillRect(QRectF(bar.left(), bar.top() + row, bar.width(), 1.0),
                          above ? full : mixed(full, theme.surface2, 0.55));
     }
@@ -241,7 +246,9 @@ void ViewOverlay::paintLegend(QPainter& painter) const {
     // The colours end at the range's ends, the values do not.
     writeUnlessHidden(bar.top() + half - 2.0, QString(QChar(0x2265)) + kThinSpace + withUnit(style.maximum, style));
     writeUnlessHidden(0.5 * (bar.top() + bar.bottom()), withUnit(style.minimum + 0.5 * span, style));
-    writeUnlessHidden(bar.bottom() - half + 2.0, withUnit(style.minimum, style));
+    writeUnlessHidden(
+        bar.bottom() - half + 2.0,
+        (style.reachesBelow ? QString(QChar(0x2264)) + kThinSpace : QString()) + withUnit(style.minimum, style));
     if (style.threshold) {
         painter.setPen(QPen(theme.text, 2.0));
         painter.drawLine(QPointF(bar.left() - 3.0, thresholdY), QPointF(bar.right() + 4.0, thresholdY));
@@ -254,7 +261,7 @@ void ViewOverlay::paintLegend(QPainter& painter) const {
         painter.setPen(QPen(theme.muted, 1.0));
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(swatch);
-        write(swatch.center().y(), tr("not known"), theme.muted);
+        write(swatch.center().y(), unknownWord(style), theme.muted);
     }
 }
 

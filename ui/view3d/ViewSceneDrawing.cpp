@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 
 #include "ui/theme/Colours.h"
 #include "ui/view3d/ScalarColours.h"
@@ -9,6 +10,8 @@
 
 namespace fodscope {
 namespace {
+
+constexpr double kStripeSpacings = 3.0;
 
 Bounds boundsOf(std::span<const Eigen::Vector3d> points) {
     Bounds box;
@@ -38,7 +41,21 @@ std::vector<PointGroup> groupsByValue(const PointValues& values) {
     IndexGroups indices = indexGroups(values.values, values.style);
     const double emphasis = values.style.threshold ? kAboveEmphasis : 1.0;
     return {PointGroup{std::move(indices.below), 1.0, 1.0}, PointGroup{std::move(indices.above), emphasis, 1.0},
-            PointGroup{std::move(indices.unknown), 0.6, 0.45}};
+            values.style.stripesUnknown ? PointGroup{std::move(indices.unknown), 1.0, 1.0}
+                                        : PointGroup{std::move(indices.unknown), 0.6, 0.45}};
+}
+
+/// Oblique stripes through space, so that they are hatching on a floor and on a wall.
+void stripeUnknown(std::vector<QRgb>& colours, const PointLayer& layer, const PointValues& values, const Theme& theme) {
+    const double stripe_m = std::max(0.06, kStripeSpacings * layer.spacing_m());
+    const QRgb dark = mixed(theme.surface0, theme.muted, 0.3).rgb();
+    const QRgb light = mixed(theme.surface0, theme.muted, 0.8).rgb();
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        if (!std::isnan(values.values[i])) continue;
+        const Eigen::Vector3f& point = layer.points()[i];
+        const auto number = static_cast<long>(std::floor((point.x() + point.y() + point.z()) / stripe_m));
+        colours[i] = number % 2 == 0 ? light : dark;
+    }
 }
 
 }  // namespace
@@ -51,7 +68,9 @@ void ViewScene::colourReference() {
                                          mixed(theme_.surface0, theme_.muted, 0.85)));
         return;
     }
-    reference_.setColours(scalarColours(referenceValues_.values, referenceValues_.style, theme_));
+    std::vector<QRgb> colours = scalarColours(referenceValues_.values, referenceValues_.style, theme_);
+    if (referenceValues_.style.stripesUnknown) stripeUnknown(colours, reference_, referenceValues_, theme_);
+    reference_.setColours(colours);
     reference_.setGroups(groupsByValue(referenceValues_));
 }
 
