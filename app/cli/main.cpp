@@ -23,6 +23,7 @@ void addCommands(CLI::App& program, fodscope::cli::Run& run) {
     addInspectCommand(program, run);
     addReportCommand(program, run);
     addVerifyCommand(program, run);
+    addEvaluateCommand(program, run);
     addParamsCommand(program, run);
 }
 

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/simulation/PhotoCamera.h"
-
 namespace fodscope {
 namespace {
 
@@ -31,15 +29,21 @@ GroundTruthLabeller::GroundTruthLabeller(std::shared_ptr<const World> world, boo
       raycaster_(*world_),
       name_(builtin ? "built-in world's ground truth" : "world's ground truth") {}
 
-PhotoAnswer GroundTruthLabeller::answer(const Photo& photo, const LabelSet& labels) const {
+std::vector<VisibleFod> GroundTruthLabeller::fodOn(const Photo& photo) const {
     const Transform T_world_from_camera = world_->T_map_from_world.inverse() * photo.T_map_from_camera;
     const auto seen = visibleObjects(*world_, raycaster_, T_world_from_camera, photo.intrinsics);
+    std::vector<VisibleFod> fod;
+    for (std::size_t i = 0; i < world_->objects.size(); ++i)
+        if (world_->objects[i].fod && seen[i].pixels >= kLeastPixels) fod.push_back({i, seen[i]});
+    return fod;
+}
+
+PhotoAnswer GroundTruthLabeller::answer(const Photo& photo, const LabelSet& labels) const {
     PhotoAnswer answer;
-    for (std::size_t i = 0; i < world_->objects.size(); ++i) {
-        if (!world_->objects[i].fod || seen[i].pixels < kLeastPixels) continue;
-        const auto [label, comment] = labelFor(world_->objects[i].type, labels);
+    for (const VisibleFod& fod : fodOn(photo)) {
+        const auto [label, comment] = labelFor(world_->objects[fod.object].type, labels);
         if (!comment.empty()) answer.comment += (answer.comment.empty() ? "" : "; ") + comment;
-        answer.labels.push_back({label, boxOf(seen[i])});
+        answer.labels.push_back({label, boxOf(fod.seen)});
     }
     if (answer.labels.empty()) answer.labels.push_back({kNoFod, std::nullopt});
     return answer;

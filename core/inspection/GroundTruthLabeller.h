@@ -8,6 +8,7 @@
 #include "core/labels/Decision.h"
 #include "core/labels/LabelSet.h"
 #include "core/robot/Photo.h"
+#include "core/simulation/PhotoCamera.h"
 #include "core/simulation/Raycaster.h"
 #include "core/simulation/World.h"
 
@@ -17,6 +18,13 @@ namespace fodscope {
 struct PhotoAnswer {
     std::vector<PhotoLabel> labels;
     std::string comment;
+};
+
+/// A FOD that a photo shows.
+struct VisibleFod {
+    /// Index into the world's objects.
+    std::size_t object = 0;
+    VisibleObject seen;
 };
 
 /// Labels photos of a simulated world from what lies in it: every FOD that covers enough pixels, with a box round it,
@@ -32,6 +40,9 @@ class GroundTruthLabeller {
 
     /// "built-in world's ground truth" or "world's ground truth"
     const std::string& name() const { return name_; }
+
+    /// @return the FOD that the photo's camera sees from where it stood, in the world's order
+    std::vector<VisibleFod> fodOn(const Photo& photo) const;
 
     /// FOD of a type that the set has no label for is labelled `other FOD`, or `not sure` where the set lacks that too,
     /// and the comment names the type.

@@ -13,6 +13,7 @@ void addSimulateCommand(CLI::App& program, Run& run);
 void addInspectCommand(CLI::App& program, Run& run);
 void addReportCommand(CLI::App& program, Run& run);
 void addVerifyCommand(CLI::App& program, Run& run);
+void addEvaluateCommand(CLI::App& program, Run& run);
 void addParamsCommand(CLI::App& program, Run& run);
 
 }  // namespace fodscope::cli
