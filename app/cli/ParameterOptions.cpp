@@ -31,7 +31,7 @@ void addDetectionParameterOptions(CLI::App& command, ParameterOptions& options) 
         ->type_name("Z");
 }
 
-Parameters parametersOf(const ParameterOptions& options) {
+Parameters unjudgedParametersOf(const ParameterOptions& options) {
     Parameters parameters = presetParameters(options.preset);
     if (!options.file.empty()) parameters = readParameters(options.file, parameters);
     if (options.metric) findParameter("candidates", "metric")->set(parameters, *options.metric);
@@ -40,8 +40,19 @@ Parameters parametersOf(const ParameterOptions& options) {
     if (options.linkage) findParameter("candidates", "linkage")->set(parameters, *options.linkage);
     if (options.minimumPoints) parameters.candidates.minimumPoints = *options.minimumPoints;
     if (options.cropHeight_m) parameters.discrepancy.cropHeight_m = *options.cropHeight_m;
+    return parameters;
+}
+
+void requireValid(const Parameters& parameters) {
+    std::string text;
     for (const std::string& problem : parameterProblems(parameters))
-        throw UsageError(problem);
+        text += (text.empty() ? "" : "; ") + problem;
+    if (!text.empty()) throw UsageError(text);
+}
+
+Parameters parametersOf(const ParameterOptions& options) {
+    Parameters parameters = unjudgedParametersOf(options);
+    requireValid(parameters);
     return parameters;
 }
 

@@ -30,7 +30,13 @@ void addPresetOptions(CLI::App& command, ParameterOptions& options);
 /// Those and --metric, --threshold, --cluster-cutoff, --linkage, --min-points, --crop-height
 void addDetectionParameterOptions(CLI::App& command, ParameterOptions& options);
 
-/// @throws Error for the file, UsageError for a single option out of range
+/// @throws Error for the file, UsageError for single options out of range, all of them told at once
 Parameters parametersOf(const ParameterOptions& options);
+
+/// The same before the single options are judged, for commands that lay options of their own over them.
+Parameters unjudgedParametersOf(const ParameterOptions& options);
+
+/// @throws UsageError that lists everything wrong with the parameters
+void requireValid(const Parameters& parameters);
 
 }  // namespace fodscope::cli

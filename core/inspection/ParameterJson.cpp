@@ -25,7 +25,8 @@ Json jsonOf(const ParameterValue& value) {
 Json jsonParameters(const Parameters& parameters, const std::vector<std::string>& sections) {
     Json json = Json::object();
     for (const ParameterField& field : parameterTable()) {
-        const bool wanted = sections.empty() || std::ranges::find(sections, field.section) != sections.end();
+        const bool wanted = sections.empty() ? field.section != kReferenceSection
+                                             : std::ranges::find(sections, field.section) != sections.end();
         if (wanted) json[field.section][field.key] = jsonOf(field.get(parameters));
     }
     return json;

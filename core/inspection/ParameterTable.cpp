@@ -136,6 +136,38 @@ class Section {
     Path path_;
 };
 
+/// Settings nested in a section: their keys begin with a word that tells them apart.
+template <typename Path>
+void addSmoothing(std::vector<ParameterField>& table, const std::string& name, const std::string& word, Path path) {
+    Section section(table, name, path);
+    section.choice(&SmoothingSettings::neighbourhood, word + "_neighbourhood", {"knn", "ball"},
+                   "what is smoothed over: the k nearest, or all in a ball");
+    section.whole(&SmoothingSettings::neighbours, word + "_neighbours", 1, 10000,
+                  "k of the k nearest; 1: no smoothing");
+    section.number(&SmoothingSettings::radius_m, word + "_radius_m", "m", 0.001, 100, "radius of the ball");
+    section.choice(&SmoothingSettings::weights, word + "_weights", {"mean", "gaussian"},
+                   "all alike, or exp(-r^2 / sigma^2) at the distance r");
+    section.number(&SmoothingSettings::sigma_m, word + "_sigma_m", "m", 0.0001, 100, "sigma of the gaussian");
+}
+
+void addReference(std::vector<ParameterField>& table) {
+    Section section(
+        table, kReferenceSection, [](auto& all) -> auto& { return all.reference; });
+    section.number(&ReferenceSettings::cadSpacing_m, "cad_spacing_m", "m", 0.001, 1,
+                   "spacing of the samples of a CAD mesh");
+    section.number(&ReferenceSettings::voxelSize_m, "voxel_size_m", "m", 0.001, 1, "voxels of the nominal maps' mean");
+    section.number(&ReferenceSettings::occupancyQuantile, "occupancy_quantile", "", 0, 1,
+                   "voxels with fewer points than this quantile of the counts are dropped");
+    addSmoothing(
+        table, kReferenceSection, "covariance", [](auto& all) -> auto& { return all.reference.covariance.smoothing; });
+    Section fit(
+        table, kReferenceSection, [](auto& all) -> auto& { return all.reference.covariance; });
+    fit.optionalNumber(&CovarianceFitSettings::smoothingVoxelSize_m, "covariance_voxel_size_m", "m", 0.001, 10,
+                       "covariances are smoothed at the means of these voxels; none: at every point");
+    fit.number(&CovarianceFitSettings::regularisation_m2, "covariance_regularisation_m2", "m^2", 0, 1,
+               "added to the diagonal of every fitted covariance");
+}
+
 void addDenoise(std::vector<ParameterField>& table) {
     Section section(
         table, "denoise", [](auto& all) -> auto& { return all.denoise; });
@@ -160,20 +192,6 @@ void addRegistration(std::vector<ParameterField>& table) {
                    "share of overlapping map voxels under which the alignment is bad");
     section.number(&RegistrationSettings::coarseVoxelSize_m, "coarse_voxel_size_m", "m", 0.01, 5,
                    "voxels of the search by features, without a start pose");
-}
-
-/// Settings nested in a section: their keys begin with a word that tells them apart.
-template <typename Path>
-void addSmoothing(std::vector<ParameterField>& table, const std::string& name, const std::string& word, Path path) {
-    Section section(table, name, path);
-    section.choice(&SmoothingSettings::neighbourhood, word + "_neighbourhood", {"knn", "ball"},
-                   "what is smoothed over: the k nearest, or all in a ball");
-    section.whole(&SmoothingSettings::neighbours, word + "_neighbours", 1, 10000,
-                  "k of the k nearest; 1: no smoothing");
-    section.number(&SmoothingSettings::radius_m, word + "_radius_m", "m", 0.001, 100, "radius of the ball");
-    section.choice(&SmoothingSettings::weights, word + "_weights", {"mean", "gaussian"},
-                   "all alike, or exp(-r^2 / sigma^2) at the distance r");
-    section.number(&SmoothingSettings::sigma_m, word + "_sigma_m", "m", 0.0001, 100, "sigma of the gaussian");
 }
 
 void addDiscrepancy(std::vector<ParameterField>& table) {
@@ -296,6 +314,7 @@ std::string shortest(double number) {
 std::span<const ParameterField> parameterTable() {
     static const std::vector<ParameterField> table = [] {
         std::vector<ParameterField> fields;
+        addReference(fields);
         addDenoise(fields);
         addRegistration(fields);
         addDiscrepancy(fields);

@@ -35,6 +35,10 @@ struct ParameterField {
     std::function<void(Parameters&, const ParameterValue&)> set;
 };
 
+/// The section about how references are made, which an inspection does not read: reports leave it out, since they
+/// cannot know that their reference was made so.
+inline constexpr const char* kReferenceSection = "reference";
+
 /// Every parameter of every stage, in the order of the file. Reader, writer and range checks all rest on it.
 std::span<const ParameterField> parameterTable();
 

@@ -18,6 +18,31 @@ namespace fodscope {
 namespace {
 
 constexpr const char* kPaperPhysical = "paper-physical";
+constexpr const char* kPaperSimulation = "paper-simulation";
+
+Parameters paperPhysical() {
+    Parameters parameters;
+    parameters.candidates = paperPhysicalCandidateSettings(Metric::Mahalanobis);
+    return parameters;
+}
+
+Parameters paperSimulation() {
+    Parameters parameters;
+    parameters.denoise.enabled = false;
+    parameters.candidates = paperPhysicalCandidateSettings(Metric::Mahalanobis);
+    parameters.candidates.threshold = 1.75;
+    parameters.candidates.clusterCutoff_m = 0.275;
+    for (SmoothingSettings* smoothing :
+         {&parameters.reference.covariance.smoothing, &parameters.discrepancy.smoothing}) {
+        smoothing->neighbourhood = SmoothingNeighbourhood::Ball;
+        smoothing->radius_m = 0.2;
+        smoothing->weights = SmoothingWeights::Gaussian;
+        smoothing->sigma_m = 0.05;
+    }
+    parameters.discrepancy.downSampling = DownSampling::Random;
+    parameters.discrepancy.randomRatio = 0.1;
+    return parameters;
+}
 
 std::size_t editDistance(const std::string& a, const std::string& b) {
     std::vector<std::size_t> row(b.size() + 1);
@@ -201,17 +226,23 @@ std::string commentOf(const ParameterField& field) {
 
 }  // namespace
 
+MeanReferenceSettings meanReferenceSettings(const Parameters& parameters) {
+    MeanReferenceSettings settings;
+    settings.denoise = parameters.denoise;
+    settings.voxelSize_m = parameters.reference.voxelSize_m;
+    settings.occupancyQuantile = parameters.reference.occupancyQuantile;
+    settings.covariance = parameters.reference.covariance;
+    return settings;
+}
+
 std::vector<std::string> presetNames() {
-    return {kPaperPhysical};
+    return {kPaperPhysical, kPaperSimulation};
 }
 
 Parameters presetParameters(const std::string& name) {
-    if (name != kPaperPhysical) {
-        throw Error("preset '" + name + "'", "is not known", "use one of: " + joined(presetNames(), ", "));
-    }
-    Parameters parameters;
-    parameters.candidates = paperPhysicalCandidateSettings(Metric::Mahalanobis);
-    return parameters;
+    if (name == kPaperPhysical) return paperPhysical();
+    if (name == kPaperSimulation) return paperSimulation();
+    throw Error("preset '" + name + "'", "is not known", "use one of: " + joined(presetNames(), ", "));
 }
 
 Parameters parseParameters(const std::string& yaml, const std::string& subject, const Parameters& base) {

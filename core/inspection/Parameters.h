@@ -12,13 +12,27 @@
 #include "core/planning/CostMap.h"
 #include "core/planning/OccupancyGrid.h"
 #include "core/planning/Waypoints.h"
+#include "core/reference/CadReference.h"
+#include "core/reference/MeanReference.h"
 #include "core/registration/Registration.h"
 #include "core/robot/VisitRunner.h"
 
 namespace fodscope {
 
+/// How a reference map is made. An inspection does not read them: it takes a reference as it is, whose provenance tells
+/// how it came about.
+struct ReferenceSettings {
+    double cadSpacing_m = CadReferenceSettings().spacing_m;
+    double voxelSize_m = MeanReferenceSettings().voxelSize_m;
+    double occupancyQuantile = MeanReferenceSettings().occupancyQuantile;
+    CovarianceFitSettings covariance;
+
+    bool operator==(const ReferenceSettings&) const = default;
+};
+
 /// The settings of every stage of an inspection: one record that the window, the command line and the report share.
 struct Parameters {
+    ReferenceSettings reference;
     OutlierRemovalSettings denoise;
     RegistrationSettings registration;
     DiscrepancySettings discrepancy;
@@ -32,10 +46,14 @@ struct Parameters {
     bool operator==(const Parameters&) const = default;
 };
 
+/// @return the settings of a mean reference, denoising among them
+MeanReferenceSettings meanReferenceSettings(const Parameters& parameters);
+
 /// @return the names that presetParameters() knows
 std::vector<std::string> presetNames();
 
-/// @return the parameters of a preset; "paper-physical" is the default
+/// @return the parameters of a preset: "paper-physical", the default, are those of the paper's trials with a robot and
+///         a mean reference; "paper-simulation" those of its simulated trials with a CAD reference
 /// @throws Error for an unknown name, naming the known ones
 Parameters presetParameters(const std::string& name);
 

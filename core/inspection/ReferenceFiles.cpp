@@ -101,9 +101,8 @@ void requireConsistent(const NominalMapsRequest& request) {
     }
 }
 
-}  // namespace
-
-ReferenceMap referenceFromMapFiles(const NominalMapsRequest& request, Progress& progress) {
+/// Reads, denoises and aligns the maps.
+std::vector<NominalMap> readNominalMaps(const NominalMapsRequest& request, Progress& progress) {
     requireConsistent(request);
     std::vector<NominalMap> maps(request.maps.size());
     // All files are read before the long work begins, so that a bad one is told at once.
@@ -120,15 +119,45 @@ ReferenceMap referenceFromMapFiles(const NominalMapsRequest& request, Progress& 
         }
     }
     alignAll(request, maps, progress);
+    return maps;
+}
 
+std::vector<AlignedNominalMap> aligned(const std::vector<NominalMap>& maps) {
     std::vector<AlignedNominalMap> aligned;
     for (const NominalMap& map : maps)
         aligned.push_back({&map.cloud, map.T_reference_from_map, &map.kept});
-    ReferenceMap reference = meanReference(aligned, request.mean, progress);
-    if (request.alignTo) reference.provenance.push_back("frame of " + request.alignTo->filename().string());
+    return aligned;
+}
+
+void tellAlignment(const NominalMapsRequest& request, const std::vector<NominalMap>& maps, ReferenceMap& reference) {
     for (std::size_t i = 0; i < maps.size(); ++i) {
         reference.provenance.push_back("nominal map " + request.maps[i].filename().string() + ": " + maps[i].alignment);
     }
+}
+
+}  // namespace
+
+ReferenceMap referenceFromMapFiles(const NominalMapsRequest& request, Progress& progress) {
+    const std::vector<NominalMap> maps = readNominalMaps(request, progress);
+    ReferenceMap reference = meanReference(aligned(maps), request.mean, progress);
+    if (request.alignTo) reference.provenance.push_back("frame of " + request.alignTo->filename().string());
+    tellAlignment(request, maps, reference);
+    return reference;
+}
+
+ReferenceMap referenceFromMeshAndMapFiles(const std::filesystem::path& mesh, const CadReferenceSettings& settings,
+                                          const NominalMapsRequest& given, Progress& progress) {
+    NominalMapsRequest request = given;
+    request.alignTo = mesh;
+    requireUsable(request.mean.covariance);
+    ReferenceMap reference = referenceFromMeshFile(mesh, request.meshScale, settings, progress);
+    const std::vector<NominalMap> maps = readNominalMaps(request, progress);
+    collectScatter(samplesOf(aligned(maps), request.mean.denoise, progress), reference, progress);
+    fitCovariances(reference, request.mean.covariance, progress);
+    reference.provenance.push_back("covariances from " + std::to_string(maps.size()) + " nominal maps");
+    reference.provenance.push_back(provenanceOf(request.mean.denoise));
+    reference.provenance.push_back(provenanceOf(request.mean.covariance));
+    tellAlignment(request, maps, reference);
     return reference;
 }
 

@@ -29,7 +29,14 @@ struct NominalMapsRequest {
 /// @throws Error naming the file that cannot be used, among them a map that cannot be aligned; Cancelled
 ReferenceMap referenceFromMapFiles(const NominalMapsRequest& request, Progress& progress);
 
-/// Reads a mesh and samples it.
+/// The same maps give a CAD reference its covariances: its points are samples of the mesh, and the scatter is that of
+/// the maps' points about the nearest of them. The maps are moved onto the mesh, whatever their `alignTo`; the voxels
+/// of the mean play no part.
+/// @throws Error naming the file; Cancelled
+ReferenceMap referenceFromMeshAndMapFiles(const std::filesystem::path& mesh, const CadReferenceSettings& settings,
+                                          const NominalMapsRequest& maps, Progress& progress);
+
+/// Reads a mesh and samples it; such a reference has no covariances.
 /// @throws Error naming the file; Cancelled
 ReferenceMap referenceFromMeshFile(const std::filesystem::path& mesh, double scale,
                                    const CadReferenceSettings& settings, Progress& progress);

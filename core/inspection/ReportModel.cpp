@@ -147,6 +147,7 @@ std::vector<ReportField> countFields(const InspectionState& state, const std::ve
 std::vector<ReportField> parameterFields(const Parameters& parameters) {
     std::vector<ReportField> fields;
     for (const ParameterField& field : parameterTable()) {
+        if (field.section == kReferenceSection) continue;
         const std::string value = toString(field.get(parameters));
         fields.push_back({field.section + "." + field.key,
                           field.unit.empty() || value == "none" ? value : value + " " + field.unit});

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <ostream>
 
 #include "app/cli/Inputs.h"
-#include "app/cli/ParameterOptions.h"
+#include "app/cli/ReferenceOptions.h"
 #include "app/cli/commands/Commands.h"
 #include "core/inspection/ReferenceFiles.h"
 #include "core/reference/ReferenceMapIo.h"
@@ -15,37 +16,52 @@ namespace {
 struct Options {
     std::string cad;
     double scale = 1.0;
-    CadReferenceSettings cadSettings;
+    std::vector<std::string> covarianceMaps;
     std::vector<std::string> maps;
     std::string alignTo;
     std::string transforms;
-    MeanReferenceSettings mean;
+    ReferenceOptions reference;
     ParameterOptions parameters;
     std::string out;
 };
 
-ReferenceMap fromMaps(const Options& options, Context& context) {
-    const Parameters parameters = parametersOf(options.parameters);
+NominalMapsRequest requestOf(const Options& options, const std::vector<std::string>& maps,
+                             const Parameters& parameters) {
     NominalMapsRequest request;
-    request.maps.assign(options.maps.begin(), options.maps.end());
+    request.maps.assign(maps.begin(), maps.end());
     if (!options.alignTo.empty()) request.alignTo = options.alignTo;
     request.meshScale = options.scale;
     if (!options.transforms.empty()) request.given_T_reference_from_map = readTransforms(options.transforms);
-    request.mean = options.mean;
-    request.mean.denoise = parameters.denoise;
+    request.mean = meanReferenceSettings(parameters);
     request.registration = parameters.registration;
-    return namingFiles({{"transforms", options.transforms}},
-                       [&] { return referenceFromMapFiles(request, context.progress); });
+    return request;
+}
+
+ReferenceMap make(const Options& options, const Parameters& parameters, Progress& progress) {
+    if (options.cad.empty()) return referenceFromMapFiles(requestOf(options, options.maps, parameters), progress);
+    const CadReferenceSettings cad{.spacing_m = parameters.reference.cadSpacing_m};
+    if (options.covarianceMaps.empty()) return referenceFromMeshFile(options.cad, options.scale, cad, progress);
+    return referenceFromMeshAndMapFiles(options.cad, cad, requestOf(options, options.covarianceMaps, parameters),
+                                        progress);
 }
 
 void execute(const Options& options, Context& context) {
+    const Parameters parameters = parametersOf(options.parameters, options.reference, context.remarks);
     const ReferenceMap reference =
-        options.cad.empty() ? fromMaps(options, context)
-                            : referenceFromMeshFile(options.cad, options.scale, options.cadSettings, context.progress);
+        namingFiles({{"transforms", options.transforms}}, [&] { return make(options, parameters, context.progress); });
     context.progress.report("writing the reference", 0.0);
     writeReferenceMap(options.out, reference);
+    const auto untrained = std::count(reference.untrained.begin(), reference.untrained.end(), std::uint8_t{1});
     context.out << options.out << ": " << reference.size() << " points, "
-                << (reference.hasCovariance() ? "with" : "without") << " covariances\n";
+                << (reference.hasCovariance() ? "with" : "without") << " covariances";
+    if (untrained > 0) context.out << ", " << untrained << " of them untrained";
+    context.out << "\n";
+}
+
+/// Options that say how something is made are refused where that is not made.
+void needEach(CLI::App& command, const std::vector<std::string>& names, CLI::Option* needed) {
+    for (const std::string& name : names)
+        command.get_option(name)->needs(needed);
 }
 
 }  // namespace
@@ -57,12 +73,12 @@ void addReferenceCommand(CLI::App& program, Run& run) {
     CLI::Option* cad = source->add_option("--cad", options->cad, "CAD mesh (STL, PLY or OBJ)")->type_name("MESH");
     CLI::Option* maps = source->add_option("--maps", options->maps, "nominal maps (PCD or PLY)")->type_name("MAP...");
     source->require_option(1);
+    CLI::Option* covarianceMaps =
+        command->add_option("--covariance-maps", options->covarianceMaps, "nominal maps that give a mesh covariances")
+            ->type_name("MAP...")
+            ->needs(cad);
     command->add_option("--scale", options->scale, "metres in one unit of the mesh")
         ->check(CLI::PositiveNumber)
-        ->capture_default_str();
-    command->add_option("--spacing", options->cadSettings.spacing_m, "area / spacing^2 samples of the mesh [m]")
-        ->check(CLI::PositiveNumber)
-        ->needs(cad)
         ->capture_default_str();
     CLI::Option* alignTo =
         command->add_option("--align-to", options->alignTo, "mesh or map into whose frame the maps are moved")
@@ -70,23 +86,21 @@ void addReferenceCommand(CLI::App& program, Run& run) {
             ->needs(maps);
     command->add_option("--transforms", options->transforms, "reference from map of each map (m00..m33)")
         ->type_name("T.csv")
-        ->needs(maps)
         ->excludes(alignTo);
-    command->add_option("--voxel", options->mean.voxelSize_m, "voxels of the mean [m]")
-        ->check(CLI::PositiveNumber)
-        ->needs(maps)
-        ->capture_default_str();
-    command->add_option("--occupancy-quantile", options->mean.occupancyQuantile, "emptier voxels are dropped")
-        ->check(CLI::Range(0.0, 1.0))
-        ->needs(maps)
-        ->capture_default_str();
-    command->add_option("--neighbours", options->mean.covarianceNeighbours, "k of the covariance smoothing")
-        ->check(CLI::Range(1, 1000000))
-        ->needs(maps)
-        ->capture_default_str();
+    addReferenceOptions(*command, options->reference);
+    needEach(*command, {"--spacing"}, cad);
+    needEach(*command, {"--voxel", "--occupancy-quantile"}, maps);
     addPresetOptions(*command, options->parameters);
     command->add_option("--out", options->out, "reference map to write")->required()->type_name("REF.ply");
-    command->callback([options, &run] { run = [options](Context& context) { execute(*options, context); }; });
+    command->callback([=, &run] {
+        const std::vector<std::string> ofMaps{"--transforms", "--weights", "--neighbourhood",   "--neighbours",
+                                              "--radius",     "--sigma",   "--smoothing-voxel", "--regularisation"};
+        for (const std::string& name : ofMaps) {
+            if (command->count(name) > 0 && maps->count() == 0 && covarianceMaps->count() == 0)
+                throw CLI::RequiresError(name, "--maps or --covariance-maps");
+        }
+        run = [options](Context& context) { execute(*options, context); };
+    });
 }
 
 }  // namespace fodscope::cli

@@ -63,6 +63,37 @@ TEST(Parameters, ThePresetHoldsThePapersValues) {
     EXPECT_TRUE(parameterProblems(parameters).empty());
 }
 
+TEST(Parameters, ThePresetOfTheSimulatedTrialsSmoothsInABallWithGaussianWeights) {
+    const Parameters parameters = presetParameters("paper-simulation");
+    EXPECT_FALSE(parameters.denoise.enabled);
+    EXPECT_EQ(parameters.candidates.metric, Metric::Mahalanobis);
+    EXPECT_EQ(parameters.candidates.threshold, 1.75);
+    EXPECT_EQ(parameters.candidates.clusterCutoff_m, 0.275);
+    EXPECT_EQ(parameters.discrepancy.downSampling, DownSampling::Random);
+    EXPECT_EQ(parameters.discrepancy.randomRatio, 0.1);
+    for (const SmoothingSettings& smoothing :
+         {parameters.discrepancy.smoothing, parameters.reference.covariance.smoothing}) {
+        EXPECT_EQ(smoothing.neighbourhood, SmoothingNeighbourhood::Ball);
+        EXPECT_EQ(smoothing.weights, SmoothingWeights::Gaussian);
+        EXPECT_EQ(smoothing.sigma_m, 0.05);
+        EXPECT_DOUBLE_EQ(smoothing.radius_m, 4.0 * smoothing.sigma_m);
+    }
+    EXPECT_TRUE(parameterProblems(parameters).empty());
+    EXPECT_EQ(parseParameters(parametersYaml(parameters), "test.yaml", paper()), parameters);
+}
+
+TEST(Parameters, ThePapersSmoothingIsTheMeanOverTheNearest) {
+    EXPECT_EQ(paper().discrepancy.smoothing.neighbours, 50);
+    EXPECT_EQ(paper().discrepancy.smoothingPasses, 1);
+    EXPECT_EQ(meanReferenceSettings(paper()), MeanReferenceSettings());
+    EXPECT_EQ(meanReferenceSettings(paper()).covariance.smoothing.neighbours, 250);
+    EXPECT_EQ(meanReferenceSettings(paper()).covariance.smoothing.weights, SmoothingWeights::Mean);
+}
+
+TEST(Parameters, AFileOfBeforeTheOtherFormsOfSmoothingStillMeansTheSame) {
+    EXPECT_EQ(parsed("discrepancy: {smoothing_neighbours: 20}").discrepancy.smoothing.neighbours, 20);
+}
+
 TEST(Parameters, AnUnknownPresetNamesTheKnownOnes) {
     try {
         presetParameters("papper");
@@ -103,7 +134,14 @@ std::size_t keysIn(const std::string& section) {
 // When this does not compile, a setting was added: give it a row in the table, so that files and reports know it.
 TEST(Parameters, TheTableKnowsEveryField) {
     const Parameters all = paper();
-    const auto& [denoise, registration, discrepancy, candidates, coverage, occupancy, costMap, waypoints, visits] = all;
+    const auto& [reference, denoise, registration, discrepancy, candidates, coverage, occupancy, costMap, waypoints,
+                 visits] = all;
+    {
+        [[maybe_unused]] const auto& [a, b, c, covariance] = reference;
+        [[maybe_unused]] const auto& [smoothing, d, e] = covariance;
+        [[maybe_unused]] const auto& [f, g, h, i, j] = smoothing;
+        EXPECT_EQ(keysIn("reference"), 3U + 2U + 5U);
+    }
     {
         [[maybe_unused]] const auto& [a, b, c] = denoise;
         EXPECT_EQ(keysIn("denoise"), 3U);

@@ -30,7 +30,7 @@ MeanReferenceSettings settings(double quantile, int neighbours) {
     result.denoise.enabled = false;
     result.voxelSize_m = 0.1;
     result.occupancyQuantile = quantile;
-    result.covarianceNeighbours = neighbours;
+    result.covariance.smoothing.neighbours = neighbours;
     return result;
 }
 
@@ -146,21 +146,6 @@ TEST(MeanReference, TakesTheKeptPointsOfAMapThatIsDenoisedAlready) {
     EXPECT_LT(kept.size(), map.size());
 }
 
-TEST(MeanReference, MarksWhatTheSamplesDoNotSupportAsUntrained) {
-    ReferenceMap reference;
-    reference.points = {{0.0, 0.0, 0.0}, {0.1, 0.0, 0.0}, {5.0, 0.0, 0.0}, {5.1, 0.0, 0.0}, {9.0, 0.0, 0.0}};
-    reference.scatter.assign(5, Eigen::Matrix3d::Zero());
-    reference.sampleCount = {3, 0, 0, 0, 8};
-    reference.scatter[0] = 3.0 * Eigen::Vector3d(1e-4, 2e-4, 3e-4).asDiagonal().toDenseMatrix();
-    // All samples of the last point lie in a plane: without extent across it there is no Mahalanobis distance.
-    reference.scatter[4] = Eigen::Vector3d(1e-3, 1e-3, 0.0).asDiagonal();
-    Progress progress;
-    smoothCovariances(reference, 2, progress);
-    EXPECT_EQ(reference.untrained, (std::vector<std::uint8_t>{0, 0, 1, 1, 1}));
-    EXPECT_TRUE(reference.covariance[1].isApprox(reference.scatter[0] / 3.0));
-    EXPECT_TRUE(std::isnan(reference.covariance[2](0, 0)));
-}
-
 TEST(MeanReference, RefusesNoMapsAndSettingsOutOfRange) {
     const PointCloud map = plate(74);
     const PointCloud empty;
@@ -171,13 +156,11 @@ TEST(MeanReference, RefusesNoMapsAndSettingsOutOfRange) {
     expectError([&] { meanReference(nothing, {}, progress); }, "no points after denoising");
     expectError([&] { meanReference(maps, settings(1.1, 9), progress); }, "quantile");
     expectError([&] { meanReference(maps, settings(-0.1, 9), progress); }, "quantile");
-    expectError([&] { meanReference(maps, settings(0.25, 0), progress); }, "covariance neighbours");
+    expectError([&] { meanReference(maps, settings(0.25, 0), progress); },
+                "covariance settings: the neighbours must be at least 1");
     MeanReferenceSettings bad = settings(0.25, 9);
     bad.voxelSize_m = 0.0;
     expectError([&] { meanReference(maps, bad, progress); }, "reference voxel");
-    ReferenceMap bare;
-    bare.points = map.points;
-    expectError([&] { smoothCovariances(bare, 9, progress); }, "no scatter");
     progress.cancel();
     EXPECT_THROW(meanReference(maps, settings(0.25, 9), progress), Cancelled);
 }

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/cloud/OutlierRemoval.h"
+#include "core/cloud/PointCloud.h"
+#include "core/common/Geometry.h"
+#include "core/common/Progress.h"
+
+namespace fodscope {
+
+/// One nominal map and where it lies: `T_reference_from_map`.
+struct AlignedNominalMap {
+    const PointCloud* map = nullptr;
+    Transform T_reference_from_map = Transform::Identity();
+    /// What keptByOutlierRemoval() gave for this map with the same settings, where it is known; null: it is done here.
+    const std::vector<std::uint32_t>* kept = nullptr;
+};
+
+/// @return the denoised points of all maps in the reference frame: what a reference is trained with
+/// @throws Error when there are no maps, or no point is left of them; Cancelled
+std::vector<Eigen::Vector3d> samplesOf(std::span<const AlignedNominalMap> maps, const OutlierRemovalSettings& denoise,
+                                       Progress& progress);
+
+/// @return the denoising in the words of a reference's provenance
+std::string provenanceOf(const OutlierRemovalSettings& denoise);
+
+}  // namespace fodscope
