@@ -115,7 +115,8 @@ Blob encodeField(const DiscrepancyField& field) {
     writer.number<std::uint32_t>(presence(field.weights.size(), n, 0) | presence(field.nearest.size(), n, 1) |
                                  presence(field.euclidean_m.size(), n, 2) | presence(field.mahalanobis.size(), n, 3) |
                                  presence(field.smoothedEuclidean_m.size(), n, 4) |
-                                 presence(field.smoothedMahalanobis.size(), n, 5));
+                                 presence(field.smoothedMahalanobis.size(), n, 5) |
+                                 presence(field.chiSquare.size(), n, 6));
     write(writer, flat(field.points));
     write(writer, field.weights);
     write(writer, field.nearest);
@@ -123,6 +124,7 @@ Blob encodeField(const DiscrepancyField& field) {
     write(writer, field.mahalanobis);
     write(writer, field.smoothedEuclidean_m);
     write(writer, field.smoothedMahalanobis);
+    write(writer, field.chiSquare);
     return {"fodscope.field/1", writer.take()};
 }
 
@@ -138,6 +140,7 @@ DiscrepancyField decodeField(std::span<const std::byte> bytes, const std::string
     field.mahalanobis = readIf<double>(reader, present, 3, n);
     field.smoothedEuclidean_m = readIf<double>(reader, present, 4, n);
     field.smoothedMahalanobis = readIf<double>(reader, present, 5, n);
+    field.chiSquare = readIf<double>(reader, present, 6, n);
     reader.expectEnd();
     return field;
 }

@@ -31,7 +31,7 @@ struct Blob {
 //   fodscope.field/1      "FODSFLD1" n present
 //                         voxel means x y z f64, metres, reference frame; [0] weight u32; [1] nearest reference point
 //                         u32; [2] euclidean f64, m; [3] mahalanobis f64; [4] smoothed euclidean f64, m;
-//                         [5] smoothed mahalanobis f64 (NaN: unknown)
+//                         [5] smoothed mahalanobis f64; [6] chi-square f64 (NaN: unknown)
 //   fodscope.voxels/1     "FODSVOX1" n; for each candidate u64 m and m voxel indices u32
 //   fodscope.coverage/1   "FODSCOV1" n; observed u8 for each reference point
 //   fodscope.grid/1       "FODSGRD1" n; cells u8, row-major from the origin: 0 free, 1 occupied, 2 unknown

@@ -50,7 +50,7 @@ CREATE TABLE candidates (
     width_m                REAL,
     height_m               REAL,               -- vertical extent
     height_above_floor_m   REAL,               -- of the centroid
-    discrepancy_max        REAL,               -- unitless for Mahalanobis, metres for Euclidean
+    discrepancy_max        REAL,               -- metres for Euclidean, else unitless
     discrepancy_mean       REAL,
     PRIMARY KEY (act, position)
 ) STRICT;

@@ -18,7 +18,7 @@ void addPresetOptions(CLI::App& command, ParameterOptions& options) {
 void addDetectionParameterOptions(CLI::App& command, ParameterOptions& options) {
     addPresetOptions(command, options);
     command.add_option("--metric", options.metric, "how far a map voxel deviates from the reference")
-        ->check(CLI::IsMember({"mahalanobis", "euclidean"}));
+        ->check(CLI::IsMember(findParameter("candidates", "metric")->choices));
     command.add_option("--threshold", options.threshold, "discrepancy above which a voxel is discrepant")
         ->type_name("T");
     command.add_option("--cluster-cutoff", options.clusterCutoff_m, "clusters at most this far apart are merged [m]")

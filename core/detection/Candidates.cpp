@@ -15,7 +15,7 @@ namespace {
 void check(const CandidateSettings& settings, double voxelSize_m) {
     if (!(settings.threshold >= 0.0) || !std::isfinite(settings.threshold)) {
         throw Error("threshold", "must be a finite number of at least 0",
-                    "give for example 2.75 (Mahalanobis) or 0.03 m (Euclidean)");
+                    "give for example 2.75 (Mahalanobis), 0.03 m (Euclidean) or 4.21 (chi-square)");
     }
     if (!(settings.clusterCutoff_m >= 0.0) || !std::isfinite(settings.clusterCutoff_m)) {
         throw Error("cluster cutoff", "must be a finite length of at least 0 m", "give for example 0.345");
@@ -111,8 +111,8 @@ void arrange(CandidateSet& set) {
 CandidateSettings paperPhysicalCandidateSettings(Metric metric) {
     CandidateSettings settings;
     settings.metric = metric;
-    if (metric == Metric::Euclidean) {
-        settings.threshold = 0.030;
+    if (metric != Metric::Mahalanobis) {
+        settings.threshold = metric == Metric::Euclidean ? 0.030 : testThreshold({});
         settings.clusterCutoff_m = 0.279;
         settings.minimumPoints = 4;
     }

@@ -21,7 +21,7 @@ enum class CentroidKind {
 struct CandidateSettings {
     Metric metric = Metric::Mahalanobis;
     /// A voxel is discrepant when its smoothed discrepancy is strictly greater. Unitless for Mahalanobis, metres for
-    /// Euclidean. Paper's physical trials: 2.75, and 0.030 m.
+    /// Euclidean. Paper's physical trials: 2.75, and 0.030 m. Chi-square: see testThreshold().
     double threshold = 2.75;
     /// Paper's clustering cutoff: 0.345 m (Mahalanobis), 0.279 m (Euclidean).
     double clusterCutoff_m = 0.345;
@@ -33,7 +33,8 @@ struct CandidateSettings {
     bool operator==(const CandidateSettings&) const = default;
 };
 
-/// @return the paper's physical-trial values for a metric
+/// @return the paper's physical-trial values for a metric. The paper gives none for chi-square: the threshold of the
+///         test's default settings, with the values that it gives for the Euclidean discrepancy, which is tested
 CandidateSettings paperPhysicalCandidateSettings(Metric metric);
 
 /// A cluster of discrepant voxels.

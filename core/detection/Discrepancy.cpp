@@ -126,8 +126,17 @@ void smooth(DiscrepancyField& field, const DiscrepancySettings& settings, Progre
 
 }  // namespace
 
+bool DiscrepancyField::has(Metric metric) const {
+    if (metric == Metric::Mahalanobis) return hasMahalanobis();
+    return metric == Metric::Euclidean || !chiSquare.empty();
+}
+
 const std::vector<double>& DiscrepancyField::smoothed(Metric metric) const {
     if (metric == Metric::Euclidean) return smoothedEuclidean_m;
+    if (metric == Metric::ChiSquare) {
+        if (!has(metric)) throw Error("chi-square discrepancy", "it was not computed", "detect anew with that metric");
+        return chiSquare;
+    }
     if (!hasMahalanobis()) {
         throw Error("Mahalanobis discrepancy", "the reference map has no covariances",
                     "build it from nominal maps, or choose the Euclidean discrepancy");
@@ -156,6 +165,13 @@ DiscrepancyField measureDiscrepancy(std::span<const Eigen::Vector3d> map, const 
     if (reference.hasCovariance()) measureMahalanobis(reference, field);
     smooth(field, settings, progress);
     return field;
+}
+
+DiscrepancyField withChiSquare(const DiscrepancyField& field, const LocalStatisticalTestSettings& settings,
+                               Progress& progress) {
+    DiscrepancyField tested = field;
+    tested.chiSquare = localStatisticalTest(field.points, field.euclidean_m, settings, progress);
+    return tested;
 }
 
 }  // namespace fodscope

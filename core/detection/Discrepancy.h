@@ -10,12 +10,13 @@
 #include "core/cloud/Smoothing.h"
 #include "core/common/Geometry.h"
 #include "core/common/Progress.h"
+#include "core/detection/LocalStatisticalTest.h"
 #include "core/reference/ReferenceMap.h"
 
 namespace fodscope {
 
-/// `Euclidean` in metres, `Mahalanobis` unitless.
-enum class Metric { Euclidean, Mahalanobis };
+/// `Euclidean` in metres, `Mahalanobis` and `ChiSquare` (see LocalStatisticalTest.h) unitless.
+enum class Metric { Euclidean, Mahalanobis, ChiSquare };
 
 /// How the map is thinned before it is compared.
 enum class DownSampling {
@@ -61,10 +62,16 @@ struct DiscrepancyField {
     /// none is.
     std::vector<double> smoothedEuclidean_m;
     std::vector<double> smoothedMahalanobis;
+    /// Local statistical test of euclidean_m; empty until withChiSquare() was asked for it.
+    std::vector<double> chiSquare;
 
     std::size_t size() const { return points.size(); }
     bool hasMahalanobis() const { return !mahalanobis.empty(); }
-    /// @throws Error when Mahalanobis is asked for and the reference had no covariances
+    bool has(Metric metric) const;
+    /// What the threshold is compared with. The χ² distance is that of a neighbourhood already and is not smoothed
+    /// again: its p-value would no longer hold.
+    /// @throws Error when Mahalanobis is asked for and the reference had no covariances, or the χ² distance before
+    ///         withChiSquare()
     const std::vector<double>& smoothed(Metric metric) const;
 };
 
@@ -75,5 +82,10 @@ struct DiscrepancyField {
 DiscrepancyField measureDiscrepancy(std::span<const Eigen::Vector3d> map, const Transform& T_reference_from_map,
                                     const ReferenceMap& reference, const DiscrepancySettings& settings,
                                     Progress& progress);
+
+/// The field with the local statistical test of its Euclidean discrepancy.
+/// @throws Error for settings out of range or a discrepancy that is the same everywhere; Cancelled
+DiscrepancyField withChiSquare(const DiscrepancyField& field, const LocalStatisticalTestSettings& settings,
+                               Progress& progress);
 
 }  // namespace fodscope

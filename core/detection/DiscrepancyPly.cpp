@@ -28,6 +28,18 @@ PlyColumn candidateColumn(const DiscrepancyField& field, const CandidateSet& can
     return column;
 }
 
+std::string meaningOf(Metric metric) {
+    switch (metric) {
+        case Metric::Euclidean:
+            return "smoothed euclidean, metres";
+        case Metric::Mahalanobis:
+            return "smoothed mahalanobis, unitless";
+        case Metric::ChiSquare:
+            return "chi_square, unitless";
+    }
+    return {};
+}
+
 }  // namespace
 
 void writeDiscrepancyPly(const std::filesystem::path& file, const DiscrepancyField& field,
@@ -36,11 +48,11 @@ void writeDiscrepancyPly(const std::filesystem::path& file, const DiscrepancyFie
     columns.push_back({"weight", ScalarType::Int32, {field.weights.begin(), field.weights.end()}});
     columns.push_back({"euclidean", ScalarType::Float32, field.euclidean_m});
     if (field.hasMahalanobis()) columns.push_back({"mahalanobis", ScalarType::Float32, field.mahalanobis});
+    if (field.has(Metric::ChiSquare)) columns.push_back({"chi_square", ScalarType::Float32, field.chiSquare});
     columns.push_back({"discrepancy", ScalarType::Float32, field.smoothed(metric)});
     columns.push_back(candidateColumn(field, candidates));
-    const std::string unit = metric == Metric::Euclidean ? "euclidean, metres" : "mahalanobis, unitless";
     const std::vector<std::string> comments{"Fodscope discrepancy, reference frame, metres",
-                                            "discrepancy is smoothed " + unit};
+                                            "discrepancy is " + meaningOf(metric)};
     writePly(file, comments, columns);
 }
 

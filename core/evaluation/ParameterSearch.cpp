@@ -181,6 +181,8 @@ double usualHighestThreshold(Metric metric) {
             return 0.05;
         case Metric::Mahalanobis:
             return 3.0;
+        case Metric::ChiSquare:
+            return 3000.0;
     }
     return 3.0;
 }

@@ -38,6 +38,12 @@ Json candidateJson(const Candidate& candidate) {
             {"discrepancy_mean", rounded(candidate.discrepancyMean)}};
 }
 
+std::vector<std::string> settingsThatCount(const Parameters& parameters) {
+    std::vector<std::string> sections{"denoise", "registration", "discrepancy", "candidates"};
+    if (parameters.candidates.metric == Metric::ChiSquare) sections.insert(sections.end() - 1, "chi_square");
+    return sections;
+}
+
 }  // namespace
 
 std::string candidatesJson(const SourceFile& reference, const SourceFile& map, const DetectionRecord& detection) {
@@ -51,7 +57,7 @@ std::string candidatesJson(const SourceFile& reference, const SourceFile& map, c
         {"schema", "fodscope.candidates/1"},
         {"reference", sourceJson(reference)},
         {"map", sourceJson(map)},
-        {"settings", jsonParameters(detection.parameters, {"denoise", "registration", "discrepancy", "candidates"})},
+        {"settings", jsonParameters(detection.parameters, settingsThatCount(detection.parameters))},
         {"T_reference_from_map", jsonTransform(detection.registration.T_reference_from_map)},
         {"registration", registrationJson(detection.registration)},
         {"points_above_threshold", detection.candidates ? detection.candidates->pointsAboveThreshold : 0},

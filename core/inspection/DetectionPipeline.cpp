@@ -60,6 +60,8 @@ void DetectionPipeline::setStart(std::optional<Transform> T_reference_from_map) 
 
 void DetectionPipeline::forgetDiscrepancy() {
     kept_.discrepancySettings.reset();
+    kept_.testSettings.reset();
+    kept_.testedField.reset();
     kept_.candidateSettings.reset();
     kept_.coverageSettings.reset();
 }
@@ -104,13 +106,25 @@ void DetectionPipeline::measure(const DiscrepancySettings& settings, Seconds& se
     kept_.discrepancySettings = settings;
 }
 
+void DetectionPipeline::test(const LocalStatisticalTestSettings& settings, Seconds& seconds, Progress& progress) {
+    if (kept_.testSettings == settings) return;
+    const StageClock clock(seconds, "chi_square");
+    kept_.testedField = std::make_shared<DiscrepancyField>(withChiSquare(*kept_.field, settings, progress));
+    kept_.testSettings = settings;
+    kept_.candidateSettings.reset();
+}
+
+const std::shared_ptr<const DiscrepancyField>& DetectionPipeline::fieldFor(Metric metric) const {
+    return metric == Metric::ChiSquare ? kept_.testedField : kept_.field;
+}
+
 void DetectionPipeline::cluster(const Parameters& parameters, Seconds& seconds, Progress& progress) {
     if (kept_.candidateSettings == parameters.candidates) return;
     const StageClock clock(seconds, "candidates");
     if (!kept_.floorHeight_m) kept_.floorHeight_m = floorHeight(*reference_);
-    kept_.candidates = std::make_shared<CandidateSet>(
-        findCandidates(*kept_.field, parameters.candidates, parameters.discrepancy.voxelSize_m, *kept_.floorHeight_m,
-                       kept_.registration.T_reference_from_map, progress));
+    kept_.candidates = std::make_shared<CandidateSet>(findCandidates(
+        *fieldFor(parameters.candidates.metric), parameters.candidates, parameters.discrepancy.voxelSize_m,
+        *kept_.floorHeight_m, kept_.registration.T_reference_from_map, progress));
     kept_.candidateSettings = parameters.candidates;
 }
 
@@ -139,9 +153,10 @@ const DetectionResult& DetectionPipeline::run(const Parameters& parameters, Prog
     next.registration = kept_.registration;
     if (kept_.registration.quality != RegistrationQuality::Bad) {
         measure(parameters.discrepancy, seconds, progress);
+        if (parameters.candidates.metric == Metric::ChiSquare) test(parameters.chiSquare, seconds, progress);
         cluster(parameters, seconds, progress);
         cover(parameters, seconds, progress);
-        next.field = kept_.field;
+        next.field = fieldFor(parameters.candidates.metric);
         next.candidates = kept_.candidates;
         next.coverage = kept_.coverage;
     }

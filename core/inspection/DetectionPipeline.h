@@ -52,6 +52,9 @@ class DetectionPipeline {
         RegistrationResult registration;
         std::optional<DiscrepancySettings> discrepancySettings;
         std::shared_ptr<const DiscrepancyField> field;
+        /// The field with the local statistical test: only made for the metric that needs it.
+        std::optional<LocalStatisticalTestSettings> testSettings;
+        std::shared_ptr<const DiscrepancyField> testedField;
         std::optional<CandidateSettings> candidateSettings;
         std::shared_ptr<const CandidateSet> candidates;
         std::optional<CoverageSettings> coverageSettings;
@@ -64,8 +67,11 @@ class DetectionPipeline {
     void denoise(const OutlierRemovalSettings& settings, Seconds& seconds, Progress& progress);
     void align(const RegistrationSettings& settings, Seconds& seconds, Progress& progress);
     void measure(const DiscrepancySettings& settings, Seconds& seconds, Progress& progress);
+    void test(const LocalStatisticalTestSettings& settings, Seconds& seconds, Progress& progress);
     void cluster(const Parameters& parameters, Seconds& seconds, Progress& progress);
     void cover(const Parameters& parameters, Seconds& seconds, Progress& progress);
+    /// With the local statistical test if and only if the metric needs it.
+    const std::shared_ptr<const DiscrepancyField>& fieldFor(Metric metric) const;
 
     std::shared_ptr<const ReferenceMap> reference_;
     std::shared_ptr<const PointCloud> map_;

@@ -214,18 +214,42 @@ void addDiscrepancy(std::vector<ParameterField>& table) {
                   "how often the discrepancy is smoothed; 0: not at all");
 }
 
+/// The threshold of the test follows its settings, unless it is set after them.
+void thresholdFollows(ParameterField& field) {
+    field.set = [set = field.set](Parameters& to, const ParameterValue& value) {
+        const LocalStatisticalTestSettings before = to.chiSquare;
+        set(to, value);
+        if (to.candidates.metric == Metric::ChiSquare && to.chiSquare != before)
+            to.candidates.threshold = testThreshold(to.chiSquare);
+    };
+}
+
+void addChiSquare(std::vector<ParameterField>& table) {
+    Section section(
+        table, "chi_square", [](auto& all) -> auto& { return all.chiSquare; });
+    section.choice(&LocalStatisticalTestSettings::distribution, "distribution", {"gauss", "weibull"},
+                   "what the Euclidean discrepancy is expected to follow in the chi-square metric");
+    section.whole(&LocalStatisticalTestSettings::neighbours, "neighbours", 2, 10000,
+                  "nearest voxels that are tested together, the voxel itself among them");
+    thresholdFollows(table.back());
+    section.number(&LocalStatisticalTestSettings::pValue, "p_value", "", 1e-12, 0.5,
+                   "share of unremarkable voxels above the metric's usual threshold");
+    thresholdFollows(table.back());
+}
+
 void addCandidates(std::vector<ParameterField>& table) {
     Section section(
         table, "candidates", [](auto& all) -> auto& { return all.candidates; });
-    ParameterField& metric = section.choice(&CandidateSettings::metric, "metric", {"euclidean", "mahalanobis"},
-                                            "how far a map voxel deviates from the reference");
+    ParameterField& metric =
+        section.choice(&CandidateSettings::metric, "metric", {"euclidean", "mahalanobis", "chi-square"},
+                       "how far a map voxel deviates from the reference");
     metric.set = [setMetric = metric.set](Parameters& to, const ParameterValue& value) {
         const Metric before = to.candidates.metric;
         setMetric(to, value);
         if (to.candidates.metric == before) return;
         // A threshold means nothing in the other metric's unit, so its own usual values come with it.
         const CandidateSettings kept = to.candidates;
-        to.candidates = paperPhysicalCandidateSettings(kept.metric);
+        to.candidates = usualCandidateSettings(kept.metric, to);
         to.candidates.linkage = kept.linkage;
         to.candidates.centroid = kept.centroid;
     };
@@ -318,6 +342,7 @@ std::span<const ParameterField> parameterTable() {
         addDenoise(fields);
         addRegistration(fields);
         addDiscrepancy(fields);
+        addChiSquare(fields);
         addCandidates(fields);
         addCoverage(fields);
         addOccupancy(fields);

@@ -158,9 +158,12 @@ class ParameterReader {
                 add(entry.first, "unknown section '" + name + "' (nearest known: '" + nearestOf(name, sections) + "')");
             } else if (!seen.insert(name).second) {
                 add(entry.first, "section '" + name + "' is there twice");
-            } else {
-                readSection(name, entry.second);
             }
+        }
+        // In the table's order, not the file's: the chi-square test brings its usual threshold, and another goes over
+        // it.
+        for (const std::string& name : sections) {
+            if (seen.contains(name)) readSection(name, root[name]);
         }
         if (!problems_.empty()) return;
         for (const std::string& problem : parameterProblems(parameters_))
@@ -243,6 +246,12 @@ Parameters presetParameters(const std::string& name) {
     if (name == kPaperPhysical) return paperPhysical();
     if (name == kPaperSimulation) return paperSimulation();
     throw Error("preset '" + name + "'", "is not known", "use one of: " + joined(presetNames(), ", "));
+}
+
+CandidateSettings usualCandidateSettings(Metric metric, const Parameters& parameters) {
+    CandidateSettings settings = paperPhysicalCandidateSettings(metric);
+    if (metric == Metric::ChiSquare) settings.threshold = testThreshold(parameters.chiSquare);
+    return settings;
 }
 
 Parameters parseParameters(const std::string& yaml, const std::string& subject, const Parameters& base) {

@@ -9,6 +9,7 @@
 #include "core/coverage/Coverage.h"
 #include "core/detection/Candidates.h"
 #include "core/detection/Discrepancy.h"
+#include "core/detection/LocalStatisticalTest.h"
 #include "core/planning/CostMap.h"
 #include "core/planning/OccupancyGrid.h"
 #include "core/planning/Waypoints.h"
@@ -36,6 +37,7 @@ struct Parameters {
     OutlierRemovalSettings denoise;
     RegistrationSettings registration;
     DiscrepancySettings discrepancy;
+    LocalStatisticalTestSettings chiSquare;
     CandidateSettings candidates;
     CoverageSettings coverage;
     OccupancySettings occupancy;
@@ -56,6 +58,10 @@ std::vector<std::string> presetNames();
 ///         a mean reference; "paper-simulation" those of its simulated trials with a CAD reference
 /// @throws Error for an unknown name, naming the known ones
 Parameters presetParameters(const std::string& name);
+
+/// @return the usual values for a metric: paperPhysicalCandidateSettings() with, for chi-square, the threshold of the
+///         parameters' own test
+CandidateSettings usualCandidateSettings(Metric metric, const Parameters& parameters);
 
 /// Reads YAML, one section per stage, over `base`.
 /// @throws Error for an unknown key (naming the nearest known one), a value of the wrong type or out of range; all

@@ -27,17 +27,30 @@ std::string smoothing(const DiscrepancySettings& settings) {
     return text;
 }
 
+std::string discrepancy(const Parameters& parameters) {
+    switch (parameters.candidates.metric) {
+        case Metric::Euclidean:
+            return "Euclidean distance to the nearest reference point, " + smoothing(parameters.discrepancy);
+        case Metric::Mahalanobis:
+            return "local Mahalanobis distance to the nearest reference point (unitless), " +
+                   smoothing(parameters.discrepancy);
+        case Metric::ChiSquare:
+            break;
+    }
+    const bool isGauss = parameters.chiSquare.distribution == TestDistribution::Gauss;
+    return "chi-square distance (unitless) between the Euclidean distances to the reference at its " +
+           std::to_string(parameters.chiSquare.neighbours) + " nearest voxels and the " +
+           (isGauss ? "Gauss" : "Weibull") + " distribution fitted to those of the whole map";
+}
+
 }  // namespace
 
 std::string methodOf(const Parameters& parameters) {
     const std::string linkage = parameters.candidates.linkage == Linkage::Single ? "single" : "centroid";
-    const bool mahalanobis = parameters.candidates.metric == Metric::Mahalanobis;
     return std::string("The map was ") + (parameters.denoise.enabled ? "denoised, " : "") +
            "aligned with the reference map and " + thinning(parameters.discrepancy) + " is its " +
-           (mahalanobis ? "local Mahalanobis distance to the nearest reference point (unitless), "
-                        : "Euclidean distance to the nearest reference point, ") +
-           smoothing(parameters.discrepancy) + ". Voxels above the threshold of " +
-           (mahalanobis ? fixed(parameters.candidates.threshold, 2) : length(parameters.candidates.threshold)) +
+           discrepancy(parameters) + ". Voxels above the threshold of " +
+           discrepancyText(parameters.candidates.threshold, parameters.candidates.metric) +
            " were clustered into candidates (" + linkage + " linkage, cutoff " +
            length(parameters.candidates.clusterCutoff_m) +
            "). Candidates were photographed by the robot and decided by people from the photos; the last decision of "

@@ -48,7 +48,7 @@ std::string placeText(const Eigen::Vector3d& point_m) {
 
 std::string discrepancyText(double value, Metric metric) {
     if (!std::isfinite(value)) return kNotRecorded;
-    return metric == Metric::Mahalanobis ? fixed(value, 2) : length(value);
+    return metric == Metric::Euclidean ? length(value) : fixed(value, 2);
 }
 
 std::string timeText(UtcTime time) {

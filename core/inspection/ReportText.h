@@ -32,7 +32,7 @@ std::string sizeText(const Eigen::Vector3d& size_m);
 /// @return "x 1.23 m, y 4.56 m, z 0.05 m"
 std::string placeText(const Eigen::Vector3d& point_m);
 
-/// @return a discrepancy with its unit: metres as a length, Mahalanobis without one
+/// @return a discrepancy with its unit: metres as a length, Mahalanobis and chi-square without one
 std::string discrepancyText(double value, Metric metric);
 
 /// @return "2026-11-21 10:15 UTC"; "not recorded" for no time

@@ -38,6 +38,7 @@ void expectEqual(const DiscrepancyField& actual, const DiscrepancyField& expecte
     EXPECT_TRUE(same(actual.mahalanobis, expected.mahalanobis));
     EXPECT_TRUE(same(actual.smoothedEuclidean_m, expected.smoothedEuclidean_m));
     EXPECT_TRUE(same(actual.smoothedMahalanobis, expected.smoothedMahalanobis));
+    EXPECT_TRUE(same(actual.chiSquare, expected.chiSquare));
 }
 
 void expectEqual(const CandidateSet& actual, const CandidateSet& expected) {
@@ -160,6 +161,7 @@ DetectionResult sampleDetection() {
     field->mahalanobis = {3.5, 3.25, kUnknown, 4.0, 0.5};
     field->smoothedEuclidean_m = {0.11, 0.12, 0.13, 0.14, 0.15};
     field->smoothedMahalanobis = {3.0, 3.1, 3.2, 3.3, kUnknown};
+    field->chiSquare = {1.5, 250.0, kUnknown, 3162.25, 4.5};
 
     auto candidates = std::make_shared<CandidateSet>();
     candidates->candidateOfVoxel = {0, 0, 1, 1, -1};

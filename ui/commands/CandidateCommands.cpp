@@ -2,6 +2,47 @@
 #include "ui/commands/CandidateCommands.h"
 
 namespace fodscope {
+namespace {
+
+QString idOf(Metric metric) {
+    switch (metric) {
+        case Metric::Euclidean:
+            return QStringLiteral("metric.euclidean");
+        case Metric::Mahalanobis:
+            return QStringLiteral("metric.mahalanobis");
+        case Metric::ChiSquare:
+            return QStringLiteral("metric.chi-square");
+    }
+    return {};
+}
+
+QString nameOf(Metric metric) {
+    switch (metric) {
+        case Metric::Euclidean:
+            return QObject::tr("Euclidean");
+        case Metric::Mahalanobis:
+            return QObject::tr("Mahalanobis");
+        case Metric::ChiSquare:
+            return QObject::tr("Chi-square");
+    }
+    return {};
+}
+
+QString helpOf(Metric metric) {
+    switch (metric) {
+        case Metric::Euclidean:
+            return QObject::tr("Distance to the nearest reference point, in millimetres");
+        case Metric::Mahalanobis:
+            return QObject::tr("Distance measured against how much the nominal maps vary there; unitless");
+        case Metric::ChiSquare:
+            return QObject::tr(
+                "How unlike the rest of the map the distances around a voxel are, by a local chi-square test; "
+                "unitless. Works well only for maps of even density");
+    }
+    return {};
+}
+
+}  // namespace
 
 NeighbourCandidateCommand::NeighbourCandidateCommand(CommandContext& context, int step)
     : Command(context, step > 0 ? QStringLiteral("candidate.next") : QStringLiteral("candidate.previous"),
@@ -59,19 +100,14 @@ bool StepThresholdCommand::isAvailable() const {
 }
 
 UseMetricCommand::UseMetricCommand(CommandContext& context, Metric metric)
-    : Command(context,
-              metric == Metric::Mahalanobis ? QStringLiteral("metric.mahalanobis") : QStringLiteral("metric.euclidean"),
-              metric == Metric::Mahalanobis ? QObject::tr("Mahalanobis") : QObject::tr("Euclidean")),
-      metric_(metric) {
+    : Command(context, idOf(metric), nameOf(metric)), metric_(metric) {
     setCheckable(true);
-    setToolTip(metric == Metric::Mahalanobis
-                   ? QObject::tr("Distance measured against how much the nominal maps vary there; unitless")
-                   : QObject::tr("Distance to the nearest reference point, in millimetres"));
+    setToolTip(helpOf(metric));
 }
 
 void UseMetricCommand::run() {
     if (controller().state().parameters.candidates.metric != metric_)
-        controller().commitCandidates(paperPhysicalCandidateSettings(metric_));
+        controller().commitCandidates(usualCandidateSettings(metric_, controller().state().parameters));
     refresh();
 }
 
@@ -91,13 +127,14 @@ PaperSettingsCommand::PaperSettingsCommand(CommandContext& context)
 }
 
 void PaperSettingsCommand::run() {
-    controller().commitCandidates(paperPhysicalCandidateSettings(controller().state().parameters.candidates.metric));
+    const Parameters& parameters = controller().state().parameters;
+    controller().commitCandidates(usualCandidateSettings(parameters.candidates.metric, parameters));
 }
 
 bool PaperSettingsCommand::isAvailable() const {
-    const CandidateSettings& settings = controller().state().parameters.candidates;
+    const Parameters& parameters = controller().state().parameters;
     return controller().isOpen() && !controller().candidatesAreFrozen() &&
-           !(settings == paperPhysicalCandidateSettings(settings.metric));
+           parameters.candidates != usualCandidateSettings(parameters.candidates.metric, parameters);
 }
 
 }  // namespace fodscope

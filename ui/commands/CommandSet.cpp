@@ -31,7 +31,8 @@ std::vector<MenuPlan> menus() {
               "", "map.detect"}},
             {QObject::tr("&Candidates"),
              {"candidate.next", "candidate.previous", "candidate.fly", "", "metric.mahalanobis", "metric.euclidean",
-              "candidate.paper", "", "threshold.down", "threshold.up", "threshold.down.coarse", "threshold.up.coarse"}},
+              "metric.chi-square", "candidate.paper", "", "threshold.down", "threshold.up", "threshold.down.coarse",
+              "threshold.up.coarse"}},
             {QObject::tr("&Robot"),
              {"robot.builtin", "robot.world", "visit.grid", "", "visit.plan", "", "visit.start", "visit.pause",
               "visit.toggle", "visit.skip", "visit.retry", "", "robot.stop"}},
@@ -88,6 +89,7 @@ CommandSet::CommandSet(CommandContext context, QObject* parent) : QObject(parent
             add<StepThresholdCommand>(step, coarse);
     add<UseMetricCommand>(Metric::Mahalanobis);
     add<UseMetricCommand>(Metric::Euclidean);
+    add<UseMetricCommand>(Metric::ChiSquare);
     add<PaperSettingsCommand>();
     add<LoadGridCommand>();
     add<ConnectWorldRobotCommand>();

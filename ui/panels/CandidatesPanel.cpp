@@ -17,6 +17,7 @@ namespace {
 
 ValueRange thresholdRange(Metric metric) {
     if (metric == Metric::Mahalanobis) return {0.0, 12.0, 0.05, 0.5, QString(), 1.0, 2};
+    if (metric == Metric::ChiSquare) return {0.0, 50.0, 0.1, 1.0, QString(), 1.0, 2};
     return {0.0, 0.25, 0.001, 0.01, QStringLiteral("mm"), 1000.0, 1};
 }
 
@@ -50,7 +51,7 @@ CandidatesPanel::CandidatesPanel(InspectionController& controller, const Command
     auto* discrepancy = new Card(tr("Discrepancy"), this);
     auto* metricRow = new QHBoxLayout;
     metricRow->setSpacing(0);
-    for (const char* id : {"metric.mahalanobis", "metric.euclidean"})
+    for (const char* id : {"metric.mahalanobis", "metric.euclidean", "metric.chi-square"})
         metricRow->addWidget(commands.makeButton(QString::fromLatin1(id), discrepancy), 1);
     discrepancy->body()->addLayout(metricRow);
     histogram_ = new ThresholdHistogram(discrepancy);
@@ -123,15 +124,16 @@ void CandidatesPanel::stepThreshold(int steps, bool coarse) {
     histogram_->stepThreshold(steps, coarse);
 }
 
-void CandidatesPanel::applyRanges(Metric metric) {
-    if (rangedFor_ == metric) return;
-    rangedFor_ = metric;
+void CandidatesPanel::applyRanges(const Parameters& parameters) {
+    const Metric metric = parameters.candidates.metric;
+    const CandidateSettings usual = usualCandidateSettings(metric, parameters);
+    if (rangedFor_ == usual) return;
+    rangedFor_ = usual;
     const ValueRange range = thresholdRange(metric);
-    const CandidateSettings paper = paperPhysicalCandidateSettings(metric);
     threshold_->setRange(range);
-    threshold_->setDefaultValue(paper.threshold);
-    cutoff_->setDefaultValue(paper.clusterCutoff_m);
-    leastPoints_->setDefaultValue(paper.minimumPoints);
+    threshold_->setDefaultValue(usual.threshold);
+    cutoff_->setDefaultValue(usual.clusterCutoff_m);
+    leastPoints_->setDefaultValue(usual.minimumPoints);
     histogram_->setDisplay(range.unit, range.displayFactor, range.decimals);
     histogram_->setSteps(range.step, range.coarseStep);
 }
@@ -142,12 +144,12 @@ void CandidatesPanel::refreshField() {
     hint_->setVisible(!hasField);
     body_->setVisible(hasField);
     const Metric metric = state.parameters.candidates.metric;
-    applyRanges(metric);
+    applyRanges(state.parameters);
     const DiscrepancyField* field = hasField ? state.detection->field.get() : nullptr;
     if (field != binnedField_ || binnedMetric_ != metric) {
         binnedField_ = field;
         binnedMetric_ = metric;
-        const bool isKnown = field != nullptr && (metric == Metric::Euclidean || field->hasMahalanobis());
+        const bool isKnown = field != nullptr && field->has(metric);
         if (isKnown)
             histogram_->setValues(field->smoothed(metric));
         else

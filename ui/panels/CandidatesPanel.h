@@ -28,7 +28,7 @@ class CandidatesPanel : public PanelColumn {
     void refreshField();
     void refreshSettings();
     void refreshCounts();
-    void applyRanges(Metric metric);
+    void applyRanges(const Parameters& parameters);
     CandidateSettings settings() const;
     void preview();
     void commit();
@@ -45,7 +45,7 @@ class CandidatesPanel : public PanelColumn {
     QComboBox* centroid_ = nullptr;
     QLabel* note_ = nullptr;
     QLabel* frozen_ = nullptr;
-    std::optional<Metric> rangedFor_;
+    std::optional<CandidateSettings> rangedFor_;
     const DiscrepancyField* binnedField_ = nullptr;
     std::optional<Metric> binnedMetric_;
 };

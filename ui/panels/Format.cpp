@@ -63,7 +63,7 @@ QString placeText(const Eigen::Vector3d& point) {
 
 QString discrepancyText(double value, Metric metric) {
     if (!std::isfinite(value)) return words("not known");
-    return metric == Metric::Mahalanobis ? number(value, 2) : millimetres(value, 1);
+    return metric == Metric::Euclidean ? millimetres(value, 1) : number(value, 2);
 }
 
 QString counted(std::size_t number, const QString& one, const QString& several) {

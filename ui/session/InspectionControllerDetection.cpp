@@ -16,10 +16,23 @@ QString fileNames(const ReferenceRequest& request) {
     return QObject::tr("%n nominal maps", nullptr, static_cast<int>(request.files.size()));
 }
 
-DetectionResult resultOf(const DetectionRecord& record, std::shared_ptr<const CandidateSet> candidates) {
+/// As the pipeline makes it: with the local statistical test if and only if the metric needs it.
+std::shared_ptr<const DiscrepancyField> fieldFor(const DetectionRecord& record, const Parameters& parameters,
+                                                 Progress& progress) {
+    const bool wanted = parameters.candidates.metric == Metric::ChiSquare;
+    const bool isThere = record.field->has(Metric::ChiSquare);
+    if (wanted == isThere && (!wanted || record.parameters.chiSquare == parameters.chiSquare)) return record.field;
+    if (wanted) return std::make_shared<DiscrepancyField>(withChiSquare(*record.field, parameters.chiSquare, progress));
+    auto field = std::make_shared<DiscrepancyField>(*record.field);
+    field->chiSquare.clear();
+    return field;
+}
+
+DetectionResult resultOf(const DetectionRecord& record, std::shared_ptr<const DiscrepancyField> field,
+                         std::shared_ptr<const CandidateSet> candidates) {
     DetectionResult result;
     result.registration = record.registration;
-    result.field = record.field;
+    result.field = std::move(field);
     result.candidates = std::move(candidates);
     result.coverage = record.coverage;
     result.floorHeight_m = record.floorHeight_m;
@@ -213,10 +226,11 @@ void InspectionController::keepCandidateSettings(const CandidateSettings& settin
     }
     runFor(Step::Candidates, tr("finding candidates"),
            [this, parameters, afterwards, record = *state().detection](Progress& progress) -> TaskRunner::Adopt {
+               const auto field = fieldFor(record, parameters, progress);
                auto candidates = std::make_shared<const CandidateSet>(
-                   findCandidates(*record.field, parameters.candidates, record.parameters.discrepancy.voxelSize_m,
+                   findCandidates(*field, parameters.candidates, record.parameters.discrepancy.voxelSize_m,
                                   record.floorHeight_m, record.registration.T_reference_from_map, progress));
-               return [this, parameters, afterwards, result = resultOf(record, candidates)] {
+               return [this, parameters, afterwards, result = resultOf(record, field, candidates)] {
                    adoptCandidates(parameters, result);
                    if (afterwards) afterwards();
                };

@@ -43,16 +43,24 @@ ReportField field(const QString& name, const QString& value) {
 
 ScalarStyle discrepancyStyle(const CandidateSettings& settings) {
     ScalarStyle style;
-    if (settings.metric == Metric::Mahalanobis) {
-        style.title = QObject::tr("Mahalanobis");
-        style.maximum = 10.0;
-        style.decimals = 1;
-    } else {
-        style.title = QObject::tr("Euclidean");
-        style.unit = QStringLiteral("mm");
-        style.displayFactor = 1000.0;
-        style.maximum = 0.1;
-        style.decimals = 0;
+    switch (settings.metric) {
+        case Metric::Euclidean:
+            style.title = QObject::tr("Euclidean");
+            style.unit = QStringLiteral("mm");
+            style.displayFactor = 1000.0;
+            style.maximum = 0.1;
+            style.decimals = 0;
+            break;
+        case Metric::Mahalanobis:
+            style.title = QObject::tr("Mahalanobis");
+            style.maximum = 10.0;
+            style.decimals = 1;
+            break;
+        case Metric::ChiSquare:
+            style.title = QObject::tr("Chi-square");
+            style.maximum = 20.0;
+            style.decimals = 1;
+            break;
     }
     style.threshold = settings.threshold;
     return style;
@@ -164,7 +172,7 @@ void SceneBinding::showDetection() {
     if (shown != shownField_ || shownMetric_ != settings.metric) {
         shownField_ = shown;
         shownMetric_ = settings.metric;
-        const bool known = shown && (settings.metric == Metric::Euclidean || shown->hasMahalanobis());
+        const bool known = shown && shown->has(settings.metric);
         if (known)
             view_.setDiscrepancy(shown->points, shown->smoothed(settings.metric), discrepancyStyle(settings));
         else
@@ -267,6 +275,9 @@ void SceneBinding::tellPoint(const PickedPoint& point) {
             fields.push_back(
                 field(tr("smoothed"), discrepancyText(voxels.smoothedMahalanobis[point.index], Metric::Mahalanobis)));
         }
+        if (voxels.has(Metric::ChiSquare))
+            fields.push_back(
+                field(tr("Chi-square"), discrepancyText(voxels.chiSquare[point.index], Metric::ChiSquare)));
     }
     if (!point.candidateId.isEmpty()) fields.push_back(field(tr("Candidate"), point.candidateId));
     controller_.setProbe(std::move(fields));

@@ -33,7 +33,7 @@ DetectionRecord recordOf(const DetectionRun& run) {
 std::string timingJson(const DetectionRun& run) {
     nlohmann::ordered_json seconds = {{"load", run.loadSeconds}};
     double total_s = run.loadSeconds;
-    for (const char* stage : {"denoise", "registration", "discrepancy", "candidates", "coverage"}) {
+    for (const char* stage : {"denoise", "registration", "discrepancy", "chi_square", "candidates", "coverage"}) {
         const auto found = run.result.stageSeconds.find(stage);
         if (found == run.result.stageSeconds.end()) continue;
         seconds[stage] = found->second;

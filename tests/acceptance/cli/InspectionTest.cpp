@@ -66,6 +66,18 @@ TEST(Detect, OptionsGoOverTheParameterFile) {
     EXPECT_EQ(settings["discrepancy"]["crop_height_m"], 0.6);
 }
 
+TEST(Detect, TheChiSquareMetricComesWithItsOwnThreshold) {
+    TestFolder folder;
+    expectDone(runCli({"detect", "--reference", roomFiles().bareReference(), "--map", roomFiles().map(), "--metric",
+                       "chi-square", "--out", (folder / "out").string()}));
+    const json candidates = readJson(folder / "out" / "candidates.json");
+    EXPECT_EQ(candidates["settings"]["candidates"]["metric"], "chi-square");
+    EXPECT_NEAR(candidates["settings"]["candidates"]["threshold"].get<double>(), 4.2107002, 1e-6);
+    EXPECT_EQ(candidates["settings"]["chi_square"]["neighbours"], 16);
+    EXPECT_GT(candidates["points_above_threshold"], 0);
+    EXPECT_THAT(readTextFile(folder / "out" / "discrepancy.ply"), ::testing::HasSubstr("property float chi_square"));
+}
+
 TEST(Detect, AGivenTransformReplacesTheRegistration) {
     TestFolder folder;
     writeFile(folder / "T.csv", std::string("1,0,0,0\n0,1,0,0\n0,0,1,0\n0,0,0,1\n"));

@@ -45,7 +45,15 @@ TEST(DiscrepancyPly, HoldsThePropertiesOfTheContract) {
     const PlyContents plain = parsePly(readFile(file), file.string(), PlyFaces::Read);
     EXPECT_EQ(plain.column("mahalanobis"), nullptr);
     EXPECT_EQ(plain.column("discrepancy")->values, (std::vector<double>{0.375, 0.4375}));
+    EXPECT_EQ(plain.column("chi_square"), nullptr);
     EXPECT_THROW(writeDiscrepancyPly(file, field, set, Metric::Mahalanobis), Error);
+    EXPECT_THROW(writeDiscrepancyPly(file, field, set, Metric::ChiSquare), Error);
+
+    field.chiSquare = {4.5, 250.0};
+    writeDiscrepancyPly(file, field, set, Metric::ChiSquare);
+    const PlyContents tested = parsePly(readFile(file), file.string(), PlyFaces::Read);
+    EXPECT_EQ(tested.column("chi_square")->values, field.chiSquare);
+    EXPECT_EQ(tested.column("discrepancy")->values, field.chiSquare);
     std::filesystem::remove(file);
 }
 

@@ -251,6 +251,38 @@ TEST(Discrepancy, TellsWhenMahalanobisIsAskedForWithoutCovariances) {
     EXPECT_THROW(field.smoothed(Metric::Mahalanobis), Error);
 }
 
+TEST(Discrepancy, TheChiSquareMetricTestsTheEuclideanDiscrepancyWhenAskedFor) {
+    Progress progress;
+    const DiscrepancyField field =
+        measureDiscrepancy(randomPoints(300, 36), Transform::Identity(), trainedCube(), settingsOf(0.1, 7), progress);
+    EXPECT_FALSE(field.has(Metric::ChiSquare));
+    EXPECT_THROW(field.smoothed(Metric::ChiSquare), Error);
+    LocalStatisticalTestSettings settings;
+    settings.distribution = TestDistribution::Weibull;
+    settings.neighbours = 9;
+    const DiscrepancyField tested = withChiSquare(field, settings, progress);
+    EXPECT_TRUE(tested.has(Metric::ChiSquare));
+    EXPECT_EQ(tested.smoothed(Metric::ChiSquare),
+              localStatisticalTest(field.points, field.euclidean_m, settings, progress));
+    EXPECT_EQ(tested.smoothedMahalanobis, field.smoothedMahalanobis);
+}
+
+TEST(Discrepancy, AMapThatIsTheReferenceLeavesNothingToTest) {
+    ReferenceMap reference = trainedCube();
+    Progress progress;
+    DiscrepancySettings settings = settingsOf(1e-4, 1);
+    settings.cropToReference = false;
+    const DiscrepancyField field =
+        measureDiscrepancy(reference.points, Transform::Identity(), reference, settings, progress);
+    try {
+        withChiSquare(field, {}, progress);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(),
+                     "chi-square test: all values are equal, so that no distribution fits them; choose another metric");
+    }
+}
+
 TEST(Discrepancy, RefusesAMapOutsideTheReferenceAndSettingsOutOfRange) {
     const ReferenceMap reference = trainedCube();
     const auto map = randomPoints(50, 35);

@@ -132,6 +132,28 @@ TEST(DetectionPipeline, EachSettingRunsItsStageAndThoseThatRestOnIt) {
     EXPECT_THAT(stagesOf(pipeline.run(parameters, progress)), IsEmpty());
 }
 
+TEST(DetectionPipeline, TheLocalStatisticalTestIsMadeOnlyForItsMetric) {
+    DetectionPipeline pipeline = readyPipeline();
+    Progress progress;
+    const auto before = pipeline.run(paper(), progress).field;
+    EXPECT_FALSE(before->has(Metric::ChiSquare));
+    Parameters parameters = paper();
+    parameters.candidates = usualCandidateSettings(Metric::ChiSquare, parameters);
+    const DetectionResult& result = pipeline.run(parameters, progress);
+    EXPECT_THAT(stagesOf(result), ElementsAre("candidates", "chi_square"));
+    EXPECT_TRUE(result.field->has(Metric::ChiSquare));
+    EXPECT_GT(result.candidates->pointsAboveThreshold, 0U);
+    DetectionPipeline fresh = readyPipeline();
+    expectSame(*result.candidates, *fresh.run(parameters, progress).candidates);
+
+    parameters.candidates.threshold = 6.0;
+    EXPECT_THAT(stagesOf(pipeline.run(parameters, progress)), ElementsAre("candidates"));
+    parameters.chiSquare.neighbours = 25;
+    EXPECT_THAT(stagesOf(pipeline.run(parameters, progress)), ElementsAre("candidates", "chi_square"));
+    EXPECT_THAT(stagesOf(pipeline.run(paper(), progress)), ElementsAre("candidates"));
+    EXPECT_EQ(pipeline.run(paper(), progress).field, before);
+}
+
 TEST(DetectionPipeline, AGivenTransformReplacesTheRegistration) {
     DetectionPipeline pipeline = readyPipeline();
     Progress progress;

@@ -134,8 +134,8 @@ std::size_t keysIn(const std::string& section) {
 // When this does not compile, a setting was added: give it a row in the table, so that files and reports know it.
 TEST(Parameters, TheTableKnowsEveryField) {
     const Parameters all = paper();
-    const auto& [reference, denoise, registration, discrepancy, candidates, coverage, occupancy, costMap, waypoints,
-                 visits] = all;
+    const auto& [reference, denoise, registration, discrepancy, chiSquare, candidates, coverage, occupancy, costMap,
+                 waypoints, visits] = all;
     {
         [[maybe_unused]] const auto& [a, b, c, covariance] = reference;
         [[maybe_unused]] const auto& [smoothing, d, e] = covariance;
@@ -154,6 +154,10 @@ TEST(Parameters, TheTableKnowsEveryField) {
         [[maybe_unused]] const auto& [a, b, c, d, e, f, smoothing, g] = discrepancy;
         [[maybe_unused]] const auto& [h, i, j, k, l] = smoothing;
         EXPECT_EQ(keysIn("discrepancy"), 7U + 5U);
+    }
+    {
+        [[maybe_unused]] const auto& [a, b, c] = chiSquare;
+        EXPECT_EQ(keysIn("chi_square"), 3U);
     }
     {
         [[maybe_unused]] const auto& [a, b, c, d, e, f] = candidates;
@@ -213,6 +217,18 @@ TEST(Parameters, TheLinkageIsCentroidUnlessChosenAndOutlivesAnotherMetric) {
     EXPECT_THAT(problemWith("candidates: {linkage: complete}"), HasSubstr("centroid or single"));
 }
 
+TEST(Parameters, TheChiSquareThresholdComesFromThePValueAndTheNeighbours) {
+    // Roots of scipy's chi2.isf(p, ceil(sqrt(k)) - 1).
+    EXPECT_NEAR(parsed("candidates: {metric: chi-square}").candidates.threshold, 4.21070020649, 1e-9);
+    const std::string test = "chi_square: {neighbours: 50, p_value: 0.01}\n";
+    const Parameters other = parsed("candidates: {metric: chi-square}\n" + test);
+    EXPECT_EQ(other, parsed(test + "candidates: {metric: chi-square}\n"));
+    EXPECT_NEAR(other.candidates.threshold, 4.29829116122, 1e-9);
+    EXPECT_NEAR(usualCandidateSettings(Metric::ChiSquare, other).threshold, 4.29829116122, 1e-9);
+    EXPECT_EQ(parsed("candidates: {metric: chi-square, threshold: 7}\n" + test).candidates.threshold, 7.0);
+    EXPECT_EQ(parsed(test).candidates, paper().candidates);
+}
+
 TEST(Parameters, AnUnknownKeyNamesTheNearestKnownOne) {
     EXPECT_THAT(problemWith("candidates:\n  treshold: 3\n"),
                 HasSubstr("line 2: unknown key 'candidates.treshold' (nearest known: 'candidates.threshold')"));
@@ -226,7 +242,7 @@ TEST(Parameters, AllProblemsAreListedAtOnce) {
     EXPECT_THAT(problem, HasSubstr("denoise.neighbours"));
     EXPECT_THAT(problem, HasSubstr("denoise.enabled"));
     EXPECT_THAT(problem, HasSubstr("candidates.threshold"));
-    EXPECT_THAT(problem, HasSubstr("euclidean or mahalanobis"));
+    EXPECT_THAT(problem, HasSubstr("euclidean or mahalanobis or chi-square"));
 }
 
 TEST(Parameters, ValuesThatAreNoneAreRefused) {
