@@ -133,6 +133,20 @@ SourceFile sourceFrom(const Json& payload) {
             source.at("points").get<std::size_t>()};
 }
 
+std::optional<PoseUncertainty> uncertaintyFrom(const Json& json) {
+    if (json.is_null()) return std::nullopt;
+    PoseUncertainty uncertainty;
+    uncertainty.centre_reference = pointFrom(json.at("centre_reference_m"));
+    const Json& covariance = json.at("covariance");
+    for (std::size_t i = 0; i < 36; ++i)
+        uncertainty.covariance(static_cast<Eigen::Index>(i / 6), static_cast<Eigen::Index>(i % 6)) =
+            numberFrom(covariance.at(i));
+    for (const Json& direction : json.at("loose_directions"))
+        uncertainty.looseDirections.push_back(pointFrom(direction));
+    uncertainty.looseTurn = json.at("loose_turn").get<bool>();
+    return uncertainty;
+}
+
 RegistrationResult registrationFrom(const Json& json) {
     RegistrationResult registration;
     registration.T_reference_from_map = transformFrom(json.at("T_reference_from_map"));
@@ -141,6 +155,17 @@ RegistrationResult registrationFrom(const Json& json) {
     registration.rms_m = numberFrom(json.at("rms_m"));
     registration.overlap = numberFrom(json.at("overlap"));
     registration.summary = json.at("summary").get<std::string>();
+    // Sessions of the first version know neither of these.
+    if (!json.contains("alternatives")) return registration;
+    registration.explained = numberFrom(json.at("explained"));
+    if (const Json& start = json.at("start_T_reference_from_map"); !start.is_null())
+        registration.start_T_reference_from_map = transformFrom(start);
+    for (const Json& other : json.at("alternatives")) {
+        registration.alternatives.push_back({transformFrom(other.at("T_reference_from_map")),
+                                             numberFrom(other.at("rms_m")), numberFrom(other.at("overlap")),
+                                             numberFrom(other.at("explained"))});
+    }
+    registration.uncertainty = uncertaintyFrom(json.at("uncertainty"));
     return registration;
 }
 

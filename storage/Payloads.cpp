@@ -40,15 +40,42 @@ Json sourceJson(const SourceFile& source) {
     return {{"path", source.path}, {"sha256", source.sha256}, {"points", source.points}};
 }
 
+Json uncertaintyJson(const std::optional<PoseUncertainty>& uncertainty) {
+    if (!uncertainty) return nullptr;
+    Json covariance = Json::array();
+    for (Eigen::Index i = 0; i < 36; ++i)
+        covariance.push_back(uncertainty->covariance(i / 6, i % 6));
+    Json loose = Json::array();
+    for (const Eigen::Vector3d& direction : uncertainty->looseDirections)
+        loose.push_back(point(direction));
+    return {{"centre_reference_m", point(uncertainty->centre_reference)},
+            {"covariance", covariance},
+            {"loose_directions", loose},
+            {"loose_turn", uncertainty->looseTurn}};
+}
+
 Json registrationJson(const RegistrationResult& registration) {
     Json converged;
     if (registration.converged) converged = *registration.converged;
+    Json alternatives = Json::array();
+    for (const PoseAlternative& other : registration.alternatives) {
+        alternatives.push_back({{"T_reference_from_map", transform(other.T_reference_from_map)},
+                                {"rms_m", other.rms_m},
+                                {"overlap", other.overlap},
+                                {"explained", other.explained}});
+    }
+    Json start;
+    if (registration.start_T_reference_from_map) start = transform(*registration.start_T_reference_from_map);
     return {{"T_reference_from_map", transform(registration.T_reference_from_map)},
             {"quality", wordOf(registration.quality)},
             {"converged", converged},
             {"rms_m", registration.rms_m},
             {"overlap", registration.overlap},
-            {"summary", registration.summary}};
+            {"explained", registration.explained},
+            {"summary", registration.summary},
+            {"start_T_reference_from_map", start},
+            {"alternatives", alternatives},
+            {"uncertainty", uncertaintyJson(registration.uncertainty)}};
 }
 
 Json candidateJson(const Candidate& candidate) {

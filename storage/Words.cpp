@@ -11,8 +11,10 @@ namespace {
 template <typename Enum, std::size_t Count>
 using Table = std::array<std::pair<Enum, const char*>, Count>;
 
-constexpr Table<RegistrationQuality, 3> kQualities{
-    {{RegistrationQuality::Given, "given"}, {RegistrationQuality::Good, "good"}, {RegistrationQuality::Bad, "bad"}}};
+constexpr Table<RegistrationQuality, 4> kQualities{{{RegistrationQuality::Given, "given"},
+                                                    {RegistrationQuality::Good, "good"},
+                                                    {RegistrationQuality::Ambiguous, "ambiguous"},
+                                                    {RegistrationQuality::Bad, "bad"}}};
 constexpr Table<WaypointStatus, 5> kStatuses{{{WaypointStatus::Ok, "ok"},
                                               {WaypointStatus::Unreachable, "unreachable"},
                                               {WaypointStatus::Hidden, "hidden"},

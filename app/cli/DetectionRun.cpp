@@ -55,7 +55,7 @@ DetectionRun runDetection(const DetectionOptions& options, Context& context) {
     run.loadSeconds = std::chrono::duration<double>(Clock::now() - begin).count();
     run.result = namingFiles({{"map", options.map}, {"reference", options.reference}},
                              [&] { return pipeline.run(run.parameters, context.progress); });
-    if (run.result.registration.quality == RegistrationQuality::Bad) {
+    if (!isTrusted(run.result.registration.quality)) {
         throw badAlignment(options.map, run.result.registration.summary);
     }
     return run;

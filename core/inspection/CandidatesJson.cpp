@@ -24,7 +24,10 @@ Json registrationJson(const RegistrationResult& registration) {
     return {{"quality", qualityWord(registration.quality)},
             {"converged", converged},
             {"rms_m", rounded(registration.rms_m)},
-            {"overlap", rounded(registration.overlap)}};
+            {"overlap", rounded(registration.overlap)},
+            {"explained", rounded(registration.explained)},
+            {"alternatives", jsonAlternatives(registration.alternatives)},
+            {"uncertainty", jsonUncertainty(registration.uncertainty)}};
 }
 
 Json candidateJson(const Candidate& candidate) {
@@ -58,7 +61,9 @@ std::string candidatesJson(const SourceFile& reference, const SourceFile& map, c
         {"reference", sourceJson(reference)},
         {"map", sourceJson(map)},
         {"settings", jsonParameters(detection.parameters, settingsThatCount(detection.parameters))},
-        {"T_reference_from_map", jsonTransform(detection.registration.T_reference_from_map)},
+        {"T_reference_from_map", isTrusted(detection.registration.quality)
+                                     ? jsonTransform(detection.registration.T_reference_from_map)
+                                     : Json(nullptr)},
         {"registration", registrationJson(detection.registration)},
         {"points_above_threshold", detection.candidates ? detection.candidates->pointsAboveThreshold : 0},
         {"candidates", candidates}};

@@ -151,7 +151,7 @@ const DetectionResult& DetectionPipeline::run(const Parameters& parameters, Prog
     DetectionResult next;
     next.denoisedMap = kept_.denoised;
     next.registration = kept_.registration;
-    if (kept_.registration.quality != RegistrationQuality::Bad) {
+    if (isTrusted(kept_.registration.quality)) {
         measure(parameters.discrepancy, seconds, progress);
         if (parameters.candidates.metric == Metric::ChiSquare) test(parameters.chiSquare, seconds, progress);
         cluster(parameters, seconds, progress);

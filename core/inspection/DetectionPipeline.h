@@ -16,7 +16,7 @@ namespace fodscope {
 struct DetectionResult {
     std::shared_ptr<const PointCloud> denoisedMap;
     RegistrationResult registration;
-    /// Null when the alignment is bad: no candidates are claimed from it.
+    /// Null when the alignment is bad or ambiguous: no candidates are claimed from it.
     std::shared_ptr<const DiscrepancyField> field;
     std::shared_ptr<const CandidateSet> candidates;
     std::shared_ptr<const Coverage> coverage;
@@ -35,7 +35,8 @@ class DetectionPipeline {
     /// A transform given by the user replaces the registration; empty goes back to registering.
     void setGivenTransform(std::optional<Transform> T_reference_from_map);
 
-    /// A known start pose, from which the registration sets out instead of the identity.
+    /// A known start pose, from which the registration sets out instead of searching all poses. To choose one of the
+    /// poses of an ambiguous registration, give it here.
     void setStart(std::optional<Transform> T_reference_from_map);
 
     /// @throws Error when reference or map are missing, or from a stage; Cancelled. The last good result is then kept.

@@ -191,7 +191,11 @@ void addRegistration(std::vector<ParameterField>& table) {
     section.number(&RegistrationSettings::minimumOverlap, "minimum_overlap", "", 0, 1,
                    "share of overlapping map voxels under which the alignment is bad");
     section.number(&RegistrationSettings::coarseVoxelSize_m, "coarse_voxel_size_m", "m", 0.01, 5,
-                   "voxels of the search by features, without a start pose");
+                   "voxels whose surfaces are searched and fitted");
+    section.number(&RegistrationSettings::minimumExplained, "minimum_explained", "", 0, 1,
+                   "share of the map's surfaces, all directions alike, that have to lie in the reference's");
+    section.number(&RegistrationSettings::ambiguityMargin, "ambiguity_margin", "", 0, 1,
+                   "another pose whose share is at most this smaller fits nearly as well");
 }
 
 void addDiscrepancy(std::vector<ParameterField>& table) {

@@ -64,7 +64,7 @@ std::vector<Eigen::Vector3d> alignmentTarget(const NominalMapsRequest& request, 
 void align(NominalMap& map, const std::filesystem::path& file, std::span<const Eigen::Vector3d> target,
            const RegistrationSettings& settings, Progress& progress) {
     const RegistrationResult result = registerMap(pointsOf(map), target, std::nullopt, settings, progress);
-    if (result.quality == RegistrationQuality::Bad) {
+    if (!isTrusted(result.quality)) {
         throw Error(file.string(), result.summary.substr(0, result.summary.find("; ")),
                     "leave it out, or give the maps' transforms");
     }

@@ -94,6 +94,8 @@ std::vector<ReportField> alignmentFields(const InspectionState& state) {
                 return "given by the user, not searched";
             case RegistrationQuality::Good:
                 return "good";
+            case RegistrationQuality::Ambiguous:
+                return "ambiguous, several poses fit: no candidates are claimed";
             case RegistrationQuality::Bad:
                 return "bad: no candidates are claimed";
         }

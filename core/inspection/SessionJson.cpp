@@ -43,6 +43,9 @@ Json registrationJson(const RegistrationResult& registration) {
             {"converged", converged},
             {"rms_m", rounded(registration.rms_m)},
             {"overlap", rounded(registration.overlap)},
+            {"explained", rounded(registration.explained)},
+            {"alternatives", jsonAlternatives(registration.alternatives)},
+            {"uncertainty", jsonUncertainty(registration.uncertainty)},
             {"summary", registration.summary},
             {"T_reference_from_map", jsonTransform(registration.T_reference_from_map)}};
 }

@@ -1,25 +1,42 @@
 // SPDX-License-Identifier: MIT
 #include "core/registration/Registration.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
 #include "core/cloud/NeighbourIndex.h"
 #include "core/cloud/VoxelGrid.h"
 #include "core/common/Error.h"
-#include "core/registration/FeatureMatch.h"
-#include "core/registration/Icp.h"
+#include "core/registration/PlanSearch.h"
+#include "core/registration/PlaneFit.h"
+#include "core/registration/RegistrationSummary.h"
+#include "core/registration/SurfacePatches.h"
 
 namespace fodscope {
 namespace {
 
+constexpr const char* kSurfaceStage = "finding the surfaces";
 constexpr const char* kFineStage = "aligning the map with the reference";
 constexpr const char* kCoarseStage = "comparing coarse alignments";
 constexpr const char* kJudgeStage = "judging the alignment";
-/// A map this many times as large as the reference, or as small, is in other units; no search helps it.
-constexpr double kAbsurdScale = 20.0;
+
+constexpr std::size_t kProposals = 24;
+constexpr std::size_t kCoarseSample = 1500;
+constexpr std::size_t kScoreSample = 6000;
+constexpr int kCoarseIterations = 16;
+constexpr double kCoarseTolerance_m = 1e-4;
+/// What a coarse fit may still gain: poses that fall behind the best by more than the margin and this are dropped.
+constexpr double kCoarseReserve = 0.1;
+constexpr std::size_t kMostAlternatives = 5;
+/// Poses that move the map's parts by less than this from each other are one.
+constexpr double kSamePose_m = 0.15;
+/// Patches on edges have no plane to fit.
+constexpr double kLeastPlanarity = 0.2;
+/// Fewer patches are no map.
+constexpr std::size_t kLeastPatches = 30;
 
 /// Voxel means on a lattice that starts half a voxel below the least coordinates (Open3D's).
 std::vector<Eigen::Vector3d> voxelMeans(std::span<const Eigen::Vector3d> points, double voxelSize_m) {
@@ -36,126 +53,216 @@ double diagonal_m(std::span<const Eigen::Vector3d> points) {
     return (maximumCorner(points) - minimumCorner(points)).norm();
 }
 
-struct Fit {
-    double overlap = 0.0;
-    double rms_m = 0.0;
-};
-
-Fit measureFit(std::span<const Eigen::Vector3d> voxels_map, const NeighbourIndex& reference, const Transform& transform,
-               double overlapDistance_m, Progress& progress) {
-    std::vector<Eigen::Vector3d> moved;
-    moved.reserve(voxels_map.size());
-    for (const Eigen::Vector3d& point : voxels_map)
-        moved.push_back(transform * point);
-    Progress inner([&](const std::string&, double) { progress.throwIfCancelled(); });
-    std::size_t overlapping = 0;
-    double sum_m2 = 0.0;
-    for (const Neighbour& neighbour : reference.nearestOfEach(moved, inner)) {
-        if (neighbour.squaredDistance_m2 > overlapDistance_m * overlapDistance_m) continue;
-        ++overlapping;
-        sum_m2 += neighbour.squaredDistance_m2;
-    }
-    if (overlapping == 0) return {};
-    return {static_cast<double>(overlapping) / static_cast<double>(voxels_map.size()),
-            std::sqrt(sum_m2 / static_cast<double>(overlapping))};
-}
-
-std::string percent(double share) {
-    // Rounded down: 59.7 % must not read as the 60 % that would have been enough.
-    return std::to_string(static_cast<int>(std::floor(share * 100.0 + 1e-9))) + " %";
-}
-
-std::string millimetres(double length_m) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.0f mm", length_m * 1000.0);
-    return text;
-}
-
-std::string badSummary(const RegistrationResult& result, const RegistrationSettings& settings, double scale) {
-    std::string summary = "not aligned: " + percent(result.overlap) + " overlap";
-    if (scale > kAbsurdScale || scale < 1.0 / kAbsurdScale) {
-        char ratio[64];
-        std::snprintf(ratio, sizeof ratio, "%.3g", scale);
-        return summary + "; the map is " + ratio + " times the size of the reference, check that both are in metres";
-    }
-    if (result.overlap < settings.minimumOverlap) {
-        return summary + ", at least " + percent(settings.minimumOverlap) +
-               " is needed; check that the map shows this space, or give a start pose";
-    }
-    return summary + " but the search did not settle within " + std::to_string(settings.maximumIterations) +
-           " steps; give a start pose or allow more steps";
-}
-
-/// One alignment under way: the clouds, the search over the reference, and what is asked of the result.
-class Alignment {
+/// Overlap and residual of poses, by the voxels of the map and all points of the reference.
+class Judge {
   public:
-    Alignment(std::span<const Eigen::Vector3d> map, std::span<const Eigen::Vector3d> reference,
-              const RegistrationSettings& settings, Progress& progress)
-        : map_(map), reference_(reference), settings_(settings), progress_(progress), index_(reference) {
+    Judge(std::span<const Eigen::Vector3d> map, std::span<const Eigen::Vector3d> reference,
+          const RegistrationSettings& settings, Progress& progress)
+        : settings_(settings), progress_(progress), index_(reference) {
         voxels_map_ = voxelMeans(map, settings.mapVoxelSize_m);
     }
 
-    RegistrationResult judged(const Transform& transform) const {
-        const Fit fit = measureFit(voxels_map_, index_, transform, settings_.overlapDistance_m, progress_);
-        RegistrationResult result;
-        result.T_reference_from_map = transform;
-        result.overlap = fit.overlap;
-        result.rms_m = fit.rms_m;
-        return result;
-    }
-
-    RegistrationResult fine(const Transform& start) const {
-        // A thinned map brings the pose near at a fraction of the cost; the whole map then settles it.
-        std::vector<Eigen::Vector3d> thinned;
-        for (std::size_t i = 0; i < voxels_map_.size(); i += kThinning)
-            thinned.push_back(voxels_map_[i]);
-        IcpSettings settings{settings_.maximumCorrespondence_m, settings_.maximumIterations, kThinnedTolerance};
-        const IcpTarget target{reference_, index_};
-        const IcpResult near = icp(thinned, target, start, settings, kFineStage, progress_);
-        settings.tolerance = kTolerance;
-        const IcpResult settled = icp(voxels_map_, target, near.T_target_from_source, settings, kFineStage, progress_);
-        RegistrationResult result = judged(settled.T_target_from_source);
-        result.converged = settled.converged;
-        const bool good = settled.converged && result.overlap >= settings_.minimumOverlap;
-        result.quality = good ? RegistrationQuality::Good : RegistrationQuality::Bad;
-        return result;
-    }
-
-    /// @return the best fine alignment from a feature match; empty when the features match nowhere
-    std::optional<RegistrationResult> fromFeatures() const {
-        const std::vector<Eigen::Vector3d> coarseMap = voxelMeans(map_, settings_.coarseVoxelSize_m);
-        const std::vector<Eigen::Vector3d> coarseReference = voxelMeans(reference_, settings_.coarseVoxelSize_m);
-        const std::vector<Transform> proposals =
-            matchFeatures(coarseMap, coarseReference, settings_.coarseVoxelSize_m, progress_);
-        const IcpTarget target{reference_, index_};
-        const IcpSettings settings{settings_.maximumCorrespondence_m, 40, kThinnedTolerance};
-        std::optional<Transform> best;
-        Fit bestFit;
-        for (std::size_t i = 0; i < proposals.size(); ++i) {
-            progress_.report(kCoarseStage, static_cast<double>(i) / static_cast<double>(proposals.size()));
-            Progress inner([&](const std::string&, double) { progress_.throwIfCancelled(); });
-            const Transform settled =
-                icp(coarseMap, target, proposals[i], settings, kCoarseStage, inner).T_target_from_source;
-            const Fit fit = measureFit(coarseMap, index_, settled, settings_.overlapDistance_m, progress_);
-            if (best && fit.overlap <= bestFit.overlap) continue;
-            best = settled;
-            bestFit = fit;
+    PoseAlternative judged(const Transform& transform) const {
+        std::vector<Eigen::Vector3d> moved;
+        moved.reserve(voxels_map_.size());
+        for (const Eigen::Vector3d& point : voxels_map_)
+            moved.push_back(transform * point);
+        Progress inner([&](const std::string&, double) { progress_.throwIfCancelled(); });
+        std::size_t overlapping = 0;
+        double sum_m2 = 0.0;
+        const double limit_m2 = settings_.overlapDistance_m * settings_.overlapDistance_m;
+        for (const Neighbour& neighbour : index_.nearestOfEach(moved, inner)) {
+            if (neighbour.squaredDistance_m2 > limit_m2) continue;
+            ++overlapping;
+            sum_m2 += neighbour.squaredDistance_m2;
         }
-        if (!best) return std::nullopt;
-        return fine(*best);
+        PoseAlternative judged;
+        judged.T_reference_from_map = transform;
+        if (overlapping == 0) return judged;
+        judged.overlap = static_cast<double>(overlapping) / static_cast<double>(voxels_map_.size());
+        judged.rms_m = std::sqrt(sum_m2 / static_cast<double>(overlapping));
+        return judged;
     }
 
   private:
-    static constexpr std::size_t kThinning = 8;
-    static constexpr double kThinnedTolerance = 1e-5;
-    static constexpr double kTolerance = 1e-6;
-
-    std::span<const Eigen::Vector3d> map_;
-    std::span<const Eigen::Vector3d> reference_;
     const RegistrationSettings& settings_;
     Progress& progress_;
     NeighbourIndex index_;
     std::vector<Eigen::Vector3d> voxels_map_;
+};
+
+struct FittedPose {
+    PlaneFit fit;
+    double explained = 0.0;
+};
+
+/// The surfaces of map and reference, and the fits between them.
+class Fitter {
+  public:
+    Fitter(std::span<const Eigen::Vector3d> map, std::span<const Eigen::Vector3d> reference,
+           const RegistrationSettings& settings, Progress& progress)
+        : settings_(settings),
+          progress_(progress),
+          map_(map, settings.coarseVoxelSize_m, progress),
+          reference_(reference, settings.coarseVoxelSize_m, progress),
+          coarseSample_(map_.balancedSample(kCoarseSample)),
+          scoreSample_(map_.balancedSample(kScoreSample)) {
+        for (std::uint32_t i = 0; i < map_.size(); ++i) {
+            if (map_.all()[i].planarity >= kLeastPlanarity) planar_.push_back(i);
+        }
+    }
+
+    bool hasSurfaces() const { return planar_.size() >= kLeastPatches && reference_.size() >= kLeastPatches; }
+
+    FittedPose fine(const Transform& start) const {
+        const PlaneFitSettings settings{settings_.maximumCorrespondence_m, settings_.maximumIterations};
+        FittedPose pose{fitToPlanes(map_, planar_, reference_, start, settings, kFineStage, progress_), 0.0};
+        pose.explained = explained(scoreSample_, pose.fit.T_target_from_source, progress_);
+        return pose;
+    }
+
+    double explained(const Transform& pose) const { return explained(scoreSample_, pose, progress_); }
+
+    /// Poses from anywhere, finely fitted and all different, the best first.
+    std::vector<FittedPose> fromAnywhere() const {
+        std::vector<FittedPose> coarse = coarseFits();
+        std::vector<FittedPose> fine;
+        double best = 0.0;
+        for (const FittedPose& pose : coarse) {
+            if (fine.size() > kMostAlternatives) break;
+            if (pose.explained < best - settings_.ambiguityMargin - kCoarseReserve) continue;
+            if (isKnown(fine, pose)) continue;
+            const FittedPose settled = this->fine(pose.fit.T_target_from_source);
+            if (isKnown(fine, settled)) continue;
+            best = std::max(best, settled.explained);
+            fine.push_back(settled);
+        }
+        std::ranges::stable_sort(fine,
+                                 [](const FittedPose& a, const FittedPose& b) { return a.explained > b.explained; });
+        return fine;
+    }
+
+  private:
+    double explained(std::span<const std::uint32_t> sample, const Transform& pose, Progress& progress) const {
+        return explainedShare(map_, sample, reference_, pose, settings_.overlapDistance_m, progress);
+    }
+
+    /// A coarse fit from each proposal of the search, and from the identity: nominal maps may lie there already.
+    std::vector<FittedPose> coarseFits() const {
+        std::vector<Transform> proposals = searchPlan(map_, reference_, kProposals, progress_);
+        proposals.push_back(Transform::Identity());
+        std::vector<FittedPose> fits(proposals.size());
+        const PlaneFitSettings settings{settings_.maximumCorrespondence_m, kCoarseIterations, kCoarseTolerance_m};
+        constexpr std::size_t kTogether = 4;
+        for (std::size_t first = 0; first < proposals.size(); first += kTogether) {
+            progress_.report(kCoarseStage, static_cast<double>(first) / static_cast<double>(proposals.size()));
+            tbb::parallel_for(first, std::min(first + kTogether, proposals.size()), [&](std::size_t i) {
+                Progress inner([&](const std::string&, double) { progress_.throwIfCancelled(); });
+                fits[i].fit = fitToPlanes(map_, coarseSample_, reference_, proposals[i], settings, kCoarseStage, inner);
+                fits[i].explained = explained(coarseSample_, fits[i].fit.T_target_from_source, inner);
+            });
+        }
+        std::ranges::stable_sort(fits,
+                                 [](const FittedPose& a, const FittedPose& b) { return a.explained > b.explained; });
+        return fits;
+    }
+
+    bool isKnown(const std::vector<FittedPose>& known, const FittedPose& pose) const {
+        return std::ranges::any_of(known, [&](const FittedPose& other) {
+            double squares_m2 = 0.0;
+            for (const std::uint32_t i : coarseSample_) {
+                const Eigen::Vector3d& point = map_.all()[i].centre;
+                squares_m2 +=
+                    (pose.fit.T_target_from_source * point - other.fit.T_target_from_source * point).squaredNorm();
+            }
+            return squares_m2 < kSamePose_m * kSamePose_m * static_cast<double>(coarseSample_.size());
+        });
+    }
+
+    const RegistrationSettings& settings_;
+    Progress& progress_;
+    SurfacePatches map_;
+    SurfacePatches reference_;
+    std::vector<std::uint32_t> coarseSample_;
+    std::vector<std::uint32_t> scoreSample_;
+    std::vector<std::uint32_t> planar_;
+};
+
+/// One registration: fits, judges and decides.
+class Alignment {
+  public:
+    Alignment(std::span<const Eigen::Vector3d> map, std::span<const Eigen::Vector3d> reference,
+              const RegistrationSettings& settings, Progress& progress)
+        : settings_(settings),
+          progress_(progress),
+          fitter_(map, reference, settings, progress),
+          judge_(map, reference, settings, progress) {}
+
+    RegistrationResult aligned(const std::optional<Transform>& start) const {
+        if (!fitter_.hasSurfaces()) {
+            RegistrationResult nothing = resultOf({}, start);
+            nothing.T_reference_from_map = start.value_or(Transform::Identity());
+            nothing.converged = false;
+            return nothing;
+        }
+        if (start) {
+            RegistrationResult near = resultOf(fitter_.fine(*start), start);
+            // A turn or two directions that nothing holds leave too much to a start pose.
+            near.quality = fits(near) && !isFarTooLoose(near) ? RegistrationQuality::Good : RegistrationQuality::Bad;
+            if (near.quality == RegistrationQuality::Good || fits(near)) return near;
+            RegistrationResult elsewhere = searched(start);
+            return fits(elsewhere) ? elsewhere : near;
+        }
+        return searched(start);
+    }
+
+  private:
+    RegistrationResult resultOf(const FittedPose& pose, const std::optional<Transform>& start) const {
+        const PoseAlternative judged = judge_.judged(pose.fit.T_target_from_source);
+        RegistrationResult result;
+        result.T_reference_from_map = judged.T_reference_from_map;
+        result.converged = pose.fit.converged;
+        result.rms_m = judged.rms_m;
+        result.overlap = judged.overlap;
+        result.explained = pose.explained;
+        result.uncertainty = pose.fit.uncertainty;
+        result.start_T_reference_from_map = start;
+        return result;
+    }
+
+    bool fits(const RegistrationResult& result) const {
+        return result.converged.value_or(false) && result.overlap >= settings_.minimumOverlap &&
+               result.explained >= settings_.minimumExplained;
+    }
+
+    static bool isLoose(const RegistrationResult& result) {
+        return result.uncertainty && result.uncertainty->isLoose();
+    }
+
+    static bool isFarTooLoose(const RegistrationResult& result) {
+        return result.uncertainty && (result.uncertainty->looseTurn || result.uncertainty->looseDirections.size() > 1);
+    }
+
+    RegistrationResult searched(const std::optional<Transform>& start) const {
+        const std::vector<FittedPose> poses = fitter_.fromAnywhere();
+        RegistrationResult result = resultOf(poses.front(), start);
+        if (!fits(result) || isFarTooLoose(result)) return result;
+        for (std::size_t i = 1; i < poses.size(); ++i) {
+            if (!poses[i].fit.converged || poses[i].explained < result.explained - settings_.ambiguityMargin) continue;
+            PoseAlternative other = judge_.judged(poses[i].fit.T_target_from_source);
+            other.explained = poses[i].explained;
+            if (other.overlap >= settings_.minimumOverlap && other.explained >= settings_.minimumExplained)
+                result.alternatives.push_back(other);
+        }
+        const bool doubtful = start || !result.alternatives.empty() || isLoose(result);
+        result.quality = doubtful ? RegistrationQuality::Ambiguous : RegistrationQuality::Good;
+        return result;
+    }
+
+    const RegistrationSettings& settings_;
+    Progress& progress_;
+    Fitter fitter_;
+    Judge judge_;
 };
 
 }  // namespace
@@ -164,26 +271,19 @@ RegistrationResult registerMap(std::span<const Eigen::Vector3d> map, std::span<c
                                const std::optional<Transform>& start_T_reference_from_map,
                                const RegistrationSettings& settings, Progress& progress) {
     requirePoints(map, reference);
-    progress.report(kFineStage, 0.0);
+    progress.report(kSurfaceStage, 0.0);
     const double scale = diagonal_m(map) / std::max(diagonal_m(reference), 1e-9);
     const bool sizesAgree = scale <= kAbsurdScale && scale >= 1.0 / kAbsurdScale;
-
-    const Alignment alignment(map, reference, settings, progress);
-    const Transform start = start_T_reference_from_map.value_or(Transform::Identity());
-    RegistrationResult result = sizesAgree ? alignment.fine(start) : alignment.judged(start);
-    if (!sizesAgree) result.converged = false;
-    bool byFeatures = false;
-    if (sizesAgree && result.quality == RegistrationQuality::Bad) {
-        const std::optional<RegistrationResult> matched = alignment.fromFeatures();
-        byFeatures = matched && (matched->quality == RegistrationQuality::Good || matched->overlap > result.overlap);
-        if (byFeatures) result = *matched;
-    }
-    if (result.quality == RegistrationQuality::Good) {
-        result.summary = "aligned, " + millimetres(result.rms_m) + " rms, " + percent(result.overlap) + " overlap";
-        if (byFeatures) result.summary += ", start found by its features";
+    RegistrationResult result;
+    if (sizesAgree) {
+        result = Alignment(map, reference, settings, progress).aligned(start_T_reference_from_map);
     } else {
-        result.summary = badSummary(result, settings, scale);
+        result.converged = false;
+        result.start_T_reference_from_map = start_T_reference_from_map;
     }
+    result.summary = result.quality == RegistrationQuality::Good        ? goodSummary(result)
+                     : result.quality == RegistrationQuality::Ambiguous ? ambiguousSummary(result)
+                                                                        : badSummary(result, settings, scale);
     return result;
 }
 
@@ -192,12 +292,13 @@ RegistrationResult judgeTransform(std::span<const Eigen::Vector3d> map, std::spa
                                   Progress& progress) {
     requirePoints(map, reference);
     progress.report(kJudgeStage, 0.0);
-    RegistrationResult result = Alignment(map, reference, settings, progress).judged(T_reference_from_map);
+    const PoseAlternative judged = Judge(map, reference, settings, progress).judged(T_reference_from_map);
+    RegistrationResult result;
+    result.T_reference_from_map = T_reference_from_map;
     result.quality = RegistrationQuality::Given;
-    result.summary = "transform given, ";
-    if (result.overlap > 0.0) result.summary += millimetres(result.rms_m) + " rms, ";
-    result.summary += percent(result.overlap) + " overlap";
-    if (result.overlap < settings.minimumOverlap) result.summary += ": check the transform";
+    result.rms_m = judged.rms_m;
+    result.overlap = judged.overlap;
+    result.summary = givenSummary(result, settings);
     return result;
 }
 

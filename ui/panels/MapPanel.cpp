@@ -98,9 +98,11 @@ void MapPanel::refreshAlignment() {
         return;
     }
     const RegistrationResult& registration = state.detection->registration;
-    const bool bad = registration.quality == RegistrationQuality::Bad;
+    const bool bad = !isTrusted(registration.quality);
+    const bool ambiguous = registration.quality == RegistrationQuality::Ambiguous;
     quality_->setStatus(bad ? StatusKind::Finding : StatusKind::Clear,
-                        bad                                                  ? tr("not aligned")
+                        ambiguous                                            ? tr("several poses fit")
+                        : bad                                                ? tr("not aligned")
                         : registration.quality == RegistrationQuality::Given ? tr("given")
                                                                              : tr("aligned"));
     sentence_->setText(QString::fromStdString(registration.summary));

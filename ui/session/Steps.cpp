@@ -10,7 +10,7 @@ namespace {
 StepState mapState(const InspectionState& state) {
     if (!state.mapSource) return StepState::ToDo;
     if (!state.detection) return StepState::NeedsLook;
-    return state.detection->registration.quality == RegistrationQuality::Bad ? StepState::NeedsLook : StepState::Done;
+    return isTrusted(state.detection->registration.quality) ? StepState::Done : StepState::NeedsLook;
 }
 
 StepState candidatesState(const InspectionState& state) {

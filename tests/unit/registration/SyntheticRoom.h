@@ -60,17 +60,38 @@ inline std::vector<Eigen::Vector3d> sample(const std::vector<Panel>& panels, dou
     return points;
 }
 
-/// The room as a mean reference holds it: voxel means of 5 cm.
-inline std::vector<Eigen::Vector3d> roomReference() {
-    const std::vector<Eigen::Vector3d> points = sample(roomPanels(), 4000.0, 0.002, 1);
+/// A room of 4 × 3 × 1.2 m without a ceiling that half a turn maps onto itself, but for a small block where one is
+/// told.
+inline std::vector<Panel> mirrorRoomPanels(bool withBlock) {
+    std::vector<Panel> panels = boxPanels({0, 0, 0}, {4.0, 3.0, 1.2});
+    panels.erase(panels.begin() + 1);
+    if (withBlock) {
+        const std::vector<Panel> block = boxPanels({0.5, 1.0, 0}, {0.7, 1.2, 0.2});
+        panels.insert(panels.end(), block.begin(), block.end());
+    }
+    return panels;
+}
+
+/// As a mean reference holds it: voxel means of 5 cm.
+inline std::vector<Eigen::Vector3d> referenceOf(const std::vector<Panel>& panels) {
+    const std::vector<Eigen::Vector3d> points = sample(panels, 4000.0, 0.002, 1);
     return voxelGrid(points, minimumCorner(points) - Eigen::Vector3d::Constant(0.025), {0.05}).points;
 }
 
-inline std::vector<Eigen::Vector3d> roomMap(const Transform& T_map_from_room) {
-    std::vector<Eigen::Vector3d> points = sample(roomPanels(), 2500.0, 0.003, 2);
+inline std::vector<Eigen::Vector3d> mapOf(const std::vector<Panel>& panels, const Transform& T_map_from_room,
+                                          std::uint64_t seed = 2) {
+    std::vector<Eigen::Vector3d> points = sample(panels, 2500.0, 0.003, seed);
     for (Eigen::Vector3d& point : points)
         point = T_map_from_room * point;
     return points;
+}
+
+inline std::vector<Eigen::Vector3d> roomReference() {
+    return referenceOf(roomPanels());
+}
+
+inline std::vector<Eigen::Vector3d> roomMap(const Transform& T_map_from_room) {
+    return mapOf(roomPanels(), T_map_from_room);
 }
 
 inline Transform motion(double yaw_deg, const Eigen::Vector3d& shift_m) {
@@ -78,6 +99,14 @@ inline Transform motion(double yaw_deg, const Eigen::Vector3d& shift_m) {
     transform.linear() = Eigen::AngleAxisd(radiansFromDegrees(yaw_deg), Eigen::Vector3d::UnitZ()).toRotationMatrix();
     transform.translation() = shift_m;
     return transform;
+}
+
+/// Leaning by `tilt_deg` about a horizontal axis, after the turn.
+inline Transform leaningMotion(double yaw_deg, double tilt_deg, double axis_deg, const Eigen::Vector3d& shift_m) {
+    const Eigen::Vector3d axis(std::cos(radiansFromDegrees(axis_deg)), std::sin(radiansFromDegrees(axis_deg)), 0.0);
+    Transform lean = Transform::Identity();
+    lean.linear() = Eigen::AngleAxisd(radiansFromDegrees(tilt_deg), axis).toRotationMatrix();
+    return lean * motion(yaw_deg, shift_m);
 }
 
 /// The greatest displacement of the room's corners between two poses: what a misalignment does at its worst.

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "core/registration/SurfacePatches.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/cloud/VoxelGrid.h"
+
+namespace fodscope {
+namespace {
+
+/// Round a voxel on a plane lie eight others; some more bridge the gaps of a sparse map.
+constexpr std::size_t kNeighbours = 13;
+/// Neighbours farther off than this many voxels belong to another surface.
+constexpr double kReach_voxels = 3.0;
+/// Round the edge of two equal surfaces at a right angle the least spread (squared) is a quarter of the middle one.
+constexpr double kEdgeRatio = 4.0;
+constexpr double kLeastPlanarity = 0.3;
+
+std::vector<Eigen::Vector3d> voxelMeans(std::span<const Eigen::Vector3d> points, double voxelSize_m) {
+    const Eigen::Vector3d origin = minimumCorner(points) - Eigen::Vector3d::Constant(voxelSize_m / 2.0);
+    return voxelGrid(points, origin, {voxelSize_m}).points;
+}
+
+SurfacePatch patchFrom(const Eigen::Vector3d& centre, std::span<const Neighbour> neighbours,
+                       const std::vector<Eigen::Vector3d>& points, double reach_m) {
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    std::size_t count = 0;
+    for (const Neighbour& neighbour : neighbours) {
+        if (neighbour.squaredDistance_m2 > reach_m * reach_m) break;
+        mean += points[neighbour.index];
+        ++count;
+    }
+    SurfacePatch patch;
+    patch.centre = centre;
+    if (count < 4) return patch;
+    mean /= static_cast<double>(count);
+    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Eigen::Vector3d away = points[neighbours[i].index] - mean;
+        scatter += away * away.transpose();
+    }
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    solver.computeDirect(scatter);
+    const Eigen::Vector3d& spread = solver.eigenvalues();
+    if (!(spread[1] > 0.0)) return patch;
+    patch.normal = solver.eigenvectors().col(0).normalized();
+    // The voxel's own mean may lie off the plane by its noise; the plane through all is steadier.
+    patch.centre = centre - patch.normal * patch.normal.dot(centre - mean);
+    patch.planarity = std::clamp(1.0 - kEdgeRatio * spread[0] / spread[1], 0.0, 1.0);
+    return patch;
+}
+
+/// Level surfaces, and six sectors each of upright and of sloping ones; opposite normals share a sector.
+constexpr std::size_t kSectors = 6;
+constexpr std::size_t kDirections = 1 + 2 * kSectors;
+
+std::size_t directionOf(const Eigen::Vector3d& normal) {
+    const double up = std::abs(normal.z());
+    if (up > 0.9) return 0;
+    double angle_rad = std::atan2(normal.y(), normal.x());
+    if (angle_rad < 0.0) angle_rad += std::numbers::pi;
+    const auto sector =
+        std::min(static_cast<std::size_t>(angle_rad / std::numbers::pi * static_cast<double>(kSectors)), kSectors - 1);
+    return 1 + sector + (up > 0.45 ? kSectors : 0);
+}
+
+}  // namespace
+
+SurfacePatches::SurfacePatches(std::span<const Eigen::Vector3d> points, double voxelSize_m, Progress& progress)
+    : voxelSize_m_(voxelSize_m),
+      centres_(voxelMeans(points, voxelSize_m)),
+      index_(centres_),
+      patches_(centres_.size()) {
+    Progress inner([&](const std::string&, double) { progress.throwIfCancelled(); });
+    index_.forEachKNearest(
+        centres_, kNeighbours,
+        [&](std::size_t i, std::span<const Neighbour> neighbours) {
+            patches_[i] = patchFrom(centres_[i], neighbours, centres_, kReach_voxels * voxelSize_m_);
+        },
+        inner, "surfaces");
+}
+
+std::vector<std::uint32_t> SurfacePatches::balancedSample(std::size_t count) const {
+    std::array<std::vector<std::uint32_t>, kDirections> byDirection;
+    for (std::uint32_t i = 0; i < patches_.size(); ++i) {
+        if (patches_[i].planarity >= kLeastPlanarity) byDirection[directionOf(patches_[i].normal)].push_back(i);
+    }
+    // Directions with few patches give all they have; the others share the rest.
+    std::array<std::size_t, kDirections> order;
+    for (std::size_t i = 0; i < kDirections; ++i)
+        order[i] = i;
+    std::ranges::stable_sort(
+        order, [&](std::size_t a, std::size_t b) { return byDirection[a].size() < byDirection[b].size(); });
+    std::vector<std::uint32_t> sample;
+    for (std::size_t i = 0; i < kDirections; ++i) {
+        const std::vector<std::uint32_t>& patches = byDirection[order[i]];
+        const std::size_t left = count > sample.size() ? count - sample.size() : 0;
+        const std::size_t quota = std::min(patches.size(), left / (kDirections - i));
+        for (std::size_t k = 0; k < quota; ++k)
+            sample.push_back(patches[k * patches.size() / quota]);
+    }
+    std::ranges::sort(sample);
+    return sample;
+}
+
+}  // namespace fodscope
