@@ -55,10 +55,12 @@ DetectionRun runDetection(const DetectionOptions& options, Context& context) {
     run.loadSeconds = std::chrono::duration<double>(Clock::now() - begin).count();
     run.result = namingFiles({{"map", options.map}, {"reference", options.reference}},
                              [&] { return pipeline.run(run.parameters, context.progress); });
-    if (!isTrusted(run.result.registration.quality)) {
-        throw badAlignment(options.map, run.result.registration.summary);
-    }
     return run;
+}
+
+void requireTrustedAlignment(const DetectionRun& run, const std::string& mapFile) {
+    const RegistrationResult& registration = run.result.registration;
+    if (!isTrusted(registration.quality)) throw badAlignment(mapFile, registration.summary);
 }
 
 }  // namespace fodscope::cli

@@ -29,8 +29,11 @@ struct DetectionRun {
     double loadSeconds = 0.0;
 };
 
-/// Reads the files and detects.
-/// @throws Error naming the file at fault, the map when it cannot be aligned; UsageError; Cancelled
+/// Reads the files and detects. There are no candidates when the map's alignment cannot be trusted.
+/// @throws Error naming the file at fault; UsageError; Cancelled
 DetectionRun runDetection(const DetectionOptions& options, Context& context);
+
+/// @throws Error naming the map when it could not be aligned, or in several ways
+void requireTrustedAlignment(const DetectionRun& run, const std::string& mapFile);
 
 }  // namespace fodscope::cli

@@ -18,6 +18,16 @@ Json sourceJson(const SourceFile& source) {
             {"sha256", source.sha256}};
 }
 
+/// Of an ambiguous alignment all poses, the best first: none of them is claimed.
+std::vector<PoseAlternative> otherPoses(const RegistrationResult& registration) {
+    std::vector<PoseAlternative> poses = registration.alternatives;
+    if (registration.quality == RegistrationQuality::Ambiguous) {
+        poses.insert(poses.begin(), {registration.T_reference_from_map, registration.rms_m, registration.overlap,
+                                     registration.explained});
+    }
+    return poses;
+}
+
 Json registrationJson(const RegistrationResult& registration) {
     Json converged;
     if (registration.converged) converged = *registration.converged;
@@ -26,7 +36,7 @@ Json registrationJson(const RegistrationResult& registration) {
             {"rms_m", rounded(registration.rms_m)},
             {"overlap", rounded(registration.overlap)},
             {"explained", rounded(registration.explained)},
-            {"alternatives", jsonAlternatives(registration.alternatives)},
+            {"alternatives", jsonAlternatives(otherPoses(registration))},
             {"uncertainty", jsonUncertainty(registration.uncertainty)}};
 }
 

@@ -62,11 +62,11 @@ std::vector<Eigen::Vector3d> alignmentTarget(const NominalMapsRequest& request, 
 }
 
 void align(NominalMap& map, const std::filesystem::path& file, std::span<const Eigen::Vector3d> target,
-           const RegistrationSettings& settings, Progress& progress) {
-    const RegistrationResult result = registerMap(pointsOf(map), target, std::nullopt, settings, progress);
+           const std::optional<Transform>& start, const RegistrationSettings& settings, Progress& progress) {
+    const RegistrationResult result = registerMap(pointsOf(map), target, start, settings, progress);
     if (!isTrusted(result.quality)) {
         throw Error(file.string(), result.summary.substr(0, result.summary.find("; ")),
-                    "leave it out, or give the maps' transforms");
+                    "leave it out, or give the maps' start poses or transforms");
     }
     map.T_reference_from_map = result.T_reference_from_map;
     map.alignment = result.summary;
@@ -86,19 +86,22 @@ void alignAll(const NominalMapsRequest& request, std::vector<NominalMap>& maps, 
             maps[i].alignment = "its frame is the reference's";
             continue;
         }
+        std::optional<Transform> start;
+        if (!request.start_T_reference_from_map.empty()) start = request.start_T_reference_from_map[i];
         forMap(i, maps.size(), progress,
-               [&](Progress& inner) { align(maps[i], request.maps[i], target, request.registration, inner); });
+               [&](Progress& inner) { align(maps[i], request.maps[i], target, start, request.registration, inner); });
     }
 }
 
 void requireConsistent(const NominalMapsRequest& request) {
     if (request.maps.empty()) throw Error("reference", "no nominal maps were given", "give at least one map");
-    const std::size_t given = request.given_T_reference_from_map.size();
-    if (given != 0 && given != request.maps.size()) {
-        throw Error("transforms",
-                    std::to_string(given) + " are given for " + std::to_string(request.maps.size()) + " maps",
+    const auto requireOneEach = [&](const std::string& subject, std::size_t given) {
+        if (given == 0 || given == request.maps.size()) return;
+        throw Error(subject, std::to_string(given) + " are given for " + std::to_string(request.maps.size()) + " maps",
                     "give one for each map, in their order");
-    }
+    };
+    requireOneEach("transforms", request.given_T_reference_from_map.size());
+    requireOneEach("start poses", request.start_T_reference_from_map.size());
 }
 
 /// Reads, denoises and aligns the maps.

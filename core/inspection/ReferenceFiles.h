@@ -20,6 +20,8 @@ struct NominalMapsRequest {
     double meshScale = 1.0;
     /// T_reference_from_map of each map, in their order; they replace the registration. Empty: the maps are registered.
     std::vector<Transform> given_T_reference_from_map;
+    /// Known start poses of the registration, one for each map in their order. Empty: all poses are searched.
+    std::vector<Transform> start_T_reference_from_map;
     MeanReferenceSettings mean;
     RegistrationSettings registration;
 };

@@ -21,8 +21,9 @@ constexpr double kTukey = 4.685;
 constexpr double kDeviationPerMedian = 1.4826;
 /// Sensors and models are not better than this.
 constexpr double kLeastScale_m = 0.003;
-/// Residuals of places so far apart go together, see poseUncertainty().
-constexpr double kCorrelationLength_m = 1.0;
+/// Residuals of places nearer than this go together, see poseUncertainty(): a robot that maps as it drives is off by
+/// about the same over so far.
+constexpr double kCorrelationLength_m = 2.0;
 
 struct Moved {
     std::vector<Eigen::Vector3d> centres;

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <map>
+#include <set>
 
 namespace fodscope {
 namespace {
@@ -20,48 +20,27 @@ constexpr double kModelDeviation_m = 0.001;
 
 using Cell = std::array<long, 3>;
 
-/// The equations of one cell, as one.
-struct Group {
-    Vector6 gradient = Vector6::Zero();
-    Eigen::Vector3d place = Eigen::Vector3d::Zero();
-    double weight = 0.0;
-};
-
-Cell cellOf(const Eigen::Vector3d& point, double cellSize_m) {
-    const Eigen::Vector3d cell = (point / cellSize_m).array().floor();
+/// The middle of the map is the middle of a cell, so that floors and walls do not lie on the border of two.
+Cell cellOf(const Eigen::Vector3d& point, const Eigen::Vector3d& middle, double cellSize_m) {
+    const Eigen::Vector3d cell = ((point - middle) / cellSize_m).array().round();
     return {static_cast<long>(cell.x()), static_cast<long>(cell.y()), static_cast<long>(cell.z())};
 }
 
-std::vector<Group> groupsOf(std::span<const PlaneEquation> equations, const MotionEquations& motion,
-                            double cellSize_m) {
-    std::map<Cell, Group> byCell;
+/// The independent observations among the equations: places farther apart than residuals go together.
+double independentPlaces(std::span<const PlaneEquation> equations, const Eigen::Vector3d& middle,
+                         double correlationLength_m) {
+    std::set<Cell> cells;
     for (const PlaneEquation& equation : equations) {
-        if (!(equation.weight > 0.0)) continue;
-        Group& group = byCell[cellOf(equation.point_reference, cellSize_m)];
-        const Vector6 row = MotionEquations::row(equation, motion.centre, motion.length_m);
-        group.gradient += equation.weight * equation.residual_m * row;
-        group.place += equation.weight * equation.point_reference;
-        group.weight += equation.weight;
+        if (equation.weight > 0.0) cells.insert(cellOf(equation.point_reference, middle, correlationLength_m));
     }
-    std::vector<Group> groups;
-    for (auto& [cell, group] : byCell) {
-        group.place /= group.weight;
-        groups.push_back(group);
-    }
-    return groups;
+    return static_cast<double>(std::max<std::size_t>(cells.size(), 1));
 }
 
-/// Σ Σ K(distance) g gᵀ over all pairs of groups.
-Matrix6 spreadOf(const std::vector<Group>& groups, double correlationLength_m) {
-    Matrix6 spread = Matrix6::Zero();
-    const double scale = 0.5 / (correlationLength_m * correlationLength_m);
-    for (const Group& a : groups) {
-        Vector6 together = Vector6::Zero();
-        for (const Group& b : groups)
-            together += std::exp(-scale * (a.place - b.place).squaredNorm()) * b.gradient;
-        spread.noalias() += a.gradient * together.transpose();
-    }
-    return (spread + spread.transpose()) / 2.0;
+double meanSquare_m2(std::span<const PlaneEquation> equations, double weight) {
+    double sum_m2 = 0.0;
+    for (const PlaneEquation& equation : equations)
+        sum_m2 += equation.weight * equation.residual_m * equation.residual_m;
+    return sum_m2 / weight;
 }
 
 }  // namespace
@@ -98,17 +77,11 @@ MotionEquations motionEquations(std::span<const PlaneEquation> equations) {
 
 PoseUncertainty poseUncertainty(std::span<const PlaneEquation> equations, const MotionEquations& motion,
                                 double correlationLength_m) {
-    const std::vector<Group> groups = groupsOf(equations, motion, correlationLength_m / 2.0);
-    Matrix6 spread = spreadOf(groups, correlationLength_m);
-    const auto count = static_cast<double>(groups.size());
-    // With no more groups than unknowns nothing is left to tell the spread by; the sum itself is then the least it is.
-    if (count > 6.0) spread *= count / (count - 6.0);
-
     PoseUncertainty uncertainty;
     uncertainty.centre_reference = motion.centre;
     Vector6 inverse;
     for (Eigen::Index i = 0; i < 6; ++i) {
-        inverse[i] = 1.0 / (motion.weight * std::max(motion.eigenvalues[i], kLeastHold / 4.0));
+        inverse[i] = 1.0 / std::max(motion.eigenvalues[i], kLeastHold / 4.0);
         if (motion.eigenvalues[i] >= kLeastHold) continue;
         const Vector6 direction = motion.eigenvectors.col(i);
         if (direction.head<3>().norm() >= direction.tail<3>().norm()) {
@@ -117,11 +90,14 @@ PoseUncertainty poseUncertainty(std::span<const PlaneEquation> equations, const 
             uncertainty.looseTurn = true;
         }
     }
-    const Matrix6 inverseInformation = motion.eigenvectors * inverse.asDiagonal() * motion.eigenvectors.transpose();
+    const double variance_m2 =
+        meanSquare_m2(equations, motion.weight) / independentPlaces(equations, motion.centre, correlationLength_m);
     Vector6 units;
-    units << 1.0, 1.0, 1.0, 1.0 / motion.length_m, 1.0 / motion.length_m, 1.0 / motion.length_m;
+    units << 1.0, 1.0, 1.0, Eigen::Vector3d::Constant(1.0 / motion.length_m);
     uncertainty.covariance =
-        units.asDiagonal() * (inverseInformation * spread * inverseInformation) * units.asDiagonal();
+        units.asDiagonal() *
+        (variance_m2 * motion.eigenvectors * inverse.asDiagonal() * motion.eigenvectors.transpose()) *
+        units.asDiagonal();
     // What all residuals share is in none of them.
     Vector6 model;
     model.head<3>().setConstant(kModelDeviation_m);

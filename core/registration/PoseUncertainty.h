@@ -55,11 +55,12 @@ inline constexpr double kLeastHold = 0.004;
 
 MotionEquations motionEquations(std::span<const PlaneEquation> equations);
 
-/// The covariance of the pose from the last step's equations. Residuals are not independent: drift, and surfaces that
-/// are not where the reference has them, move whole stretches together. So the gradients g of neighbouring places count
-/// as correlated, by K = exp(−d²/2ℓ²) at the distance d: H⁻¹ (Σ Σ K g gᵀ) H⁻¹. A millimetre that all residuals share is
-/// added. Source: Conley 1999 (covariance with spatial correlation), a form of the sandwich estimator; Censi 2007 has
-/// the one for independent noise.
+/// The covariance of the pose from the last step's equations: the residuals' variance over the information that one
+/// equation brings on the average and over the number of independent equations, s² (H/W)⁻¹ / n. Residuals are not
+/// independent: drift, and surfaces that are not where the reference has them, move whole stretches together. So only
+/// places farther apart than `correlationLength_m` count as independent (n cells of that edge), however many equations
+/// each has. A millimetre that all residuals share is added.
+/// Source: Censi 2007 (Hessian); Bayley and Hammersley 1946 (effective number of correlated observations).
 PoseUncertainty poseUncertainty(std::span<const PlaneEquation> equations, const MotionEquations& motion,
                                 double correlationLength_m);
 

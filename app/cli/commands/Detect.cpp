@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
+#include <array>
+#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -10,6 +12,7 @@
 #include "core/common/Files.h"
 #include "core/detection/DiscrepancyPly.h"
 #include "core/inspection/Inspection.h"
+#include "core/registration/RegistrationSummary.h"
 
 namespace fodscope::cli {
 namespace {
@@ -44,10 +47,41 @@ std::string timingJson(const DetectionRun& run) {
     return root.dump(2) + "\n";
 }
 
+/// The form that --initial takes.
+std::string transformCsv(const Transform& transform) {
+    std::string csv;
+    const std::array<double, 16> rows = rowsFromTransform(transform);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        char number[32];
+        std::snprintf(number, sizeof number, "%.12g", rows[i]);
+        csv += number;
+        csv += i % 4 == 3 ? "\n" : ",";
+    }
+    return csv;
+}
+
+/// Nobody but the operator can tell which pose is true: each is left as a file to start from, and no candidates.
+void writePoses(const DetectionRun& run, const DetectionRecord& record, const std::filesystem::path& folder,
+                Context& context) {
+    const RegistrationResult& registration = record.registration;
+    std::vector<Transform> poses{registration.T_reference_from_map};
+    for (const PoseAlternative& other : registration.alternatives)
+        poses.push_back(other.T_reference_from_map);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        const std::filesystem::path file = folder / ("pose_" + std::to_string(i + 1) + ".csv");
+        writeFile(file, transformCsv(poses[i]));
+        context.remarks << "warning: " << file.string() << ": " << poseInWords(poses[i])
+                        << "; start from it with --initial\n";
+    }
+    writeFile(folder / "candidates.json", candidatesJson(run.reference.source, run.map.source, record));
+}
+
 void execute(const Options& options, Context& context) {
     const OutputFolder folder(options.out);
     const DetectionRun run = runDetection(options.detection, context);
     const DetectionRecord record = recordOf(run);
+    if (record.registration.quality == RegistrationQuality::Ambiguous) writePoses(run, record, folder.path(), context);
+    requireTrustedAlignment(run, options.detection.map);
     context.progress.report("writing the results", 0.0);
     writeDiscrepancyPly(folder.path() / "discrepancy.ply", *record.field, *record.candidates,
                         record.parameters.candidates.metric);

@@ -20,6 +20,7 @@ struct Options {
     std::vector<std::string> maps;
     std::string alignTo;
     std::string transforms;
+    std::string initial;
     ReferenceOptions reference;
     ParameterOptions parameters;
     std::string out;
@@ -32,6 +33,7 @@ NominalMapsRequest requestOf(const Options& options, const std::vector<std::stri
     if (!options.alignTo.empty()) request.alignTo = options.alignTo;
     request.meshScale = options.scale;
     if (!options.transforms.empty()) request.given_T_reference_from_map = readTransforms(options.transforms);
+    if (!options.initial.empty()) request.start_T_reference_from_map = readTransforms(options.initial);
     request.mean = meanReferenceSettings(parameters);
     request.registration = parameters.registration;
     return request;
@@ -47,8 +49,8 @@ ReferenceMap make(const Options& options, const Parameters& parameters, Progress
 
 void execute(const Options& options, Context& context) {
     const Parameters parameters = parametersOf(options.parameters, options.reference, context.remarks);
-    const ReferenceMap reference =
-        namingFiles({{"transforms", options.transforms}}, [&] { return make(options, parameters, context.progress); });
+    const ReferenceMap reference = namingFiles({{"transforms", options.transforms}, {"start poses", options.initial}},
+                                               [&] { return make(options, parameters, context.progress); });
     context.progress.report("writing the reference", 0.0);
     writeReferenceMap(options.out, reference);
     const auto untrained = std::count(reference.untrained.begin(), reference.untrained.end(), std::uint8_t{1});
@@ -84,17 +86,22 @@ void addReferenceCommand(CLI::App& program, Run& run) {
         command->add_option("--align-to", options->alignTo, "mesh or map into whose frame the maps are moved")
             ->type_name("MESH_OR_MAP")
             ->needs(maps);
-    command->add_option("--transforms", options->transforms, "reference from map of each map (m00..m33)")
+    CLI::Option* transforms =
+        command->add_option("--transforms", options->transforms, "reference from map of each map (m00..m33)")
+            ->type_name("T.csv")
+            ->excludes(alignTo);
+    command->add_option("--initial", options->initial, "known start of each map's registration (m00..m33)")
         ->type_name("T.csv")
-        ->excludes(alignTo);
+        ->excludes(transforms);
     addReferenceOptions(*command, options->reference);
     needEach(*command, {"--spacing"}, cad);
     needEach(*command, {"--voxel", "--occupancy-quantile"}, maps);
     addPresetOptions(*command, options->parameters);
     command->add_option("--out", options->out, "reference map to write")->required()->type_name("REF.ply");
     command->callback([=, &run] {
-        const std::vector<std::string> ofMaps{"--transforms", "--weights", "--neighbourhood",   "--neighbours",
-                                              "--radius",     "--sigma",   "--smoothing-voxel", "--regularisation"};
+        const std::vector<std::string> ofMaps{"--transforms",    "--initial",         "--weights",
+                                              "--neighbourhood", "--neighbours",      "--radius",
+                                              "--sigma",         "--smoothing-voxel", "--regularisation"};
         for (const std::string& name : ofMaps) {
             if (command->count(name) > 0 && maps->count() == 0 && covarianceMaps->count() == 0)
                 throw CLI::RequiresError(name, "--maps or --covariance-maps");
