@@ -15,20 +15,24 @@ void addPresetOptions(CLI::App& command, ParameterOptions& options) {
     command.add_option("--params", options.file, "YAML file over the preset")->type_name("FILE");
 }
 
-void addDetectionParameterOptions(CLI::App& command, ParameterOptions& options) {
+void addMethodOptions(CLI::App& command, ParameterOptions& options) {
     addPresetOptions(command, options);
     command.add_option("--metric", options.metric, "how far a map voxel deviates from the reference")
         ->check(CLI::IsMember(findParameter("candidates", "metric")->choices));
+    command.add_option("--linkage", options.linkage, "from where to where the distance of clusters is taken")
+        ->check(CLI::IsMember({"centroid", "single"}));
+    command
+        .add_option("--crop-height", options.cropHeight_m, "points higher than this (reference frame) are dropped [m]")
+        ->type_name("Z");
+}
+
+void addDetectionParameterOptions(CLI::App& command, ParameterOptions& options) {
+    addMethodOptions(command, options);
     command.add_option("--threshold", options.threshold, "discrepancy above which a voxel is discrepant")
         ->type_name("T");
     command.add_option("--cluster-cutoff", options.clusterCutoff_m, "clusters at most this far apart are merged [m]")
         ->type_name("C");
-    command.add_option("--linkage", options.linkage, "from where to where the distance of clusters is taken")
-        ->check(CLI::IsMember({"centroid", "single"}));
     command.add_option("--min-points", options.minimumPoints, "clusters with fewer voxels are dropped")->type_name("N");
-    command
-        .add_option("--crop-height", options.cropHeight_m, "points higher than this (reference frame) are dropped [m]")
-        ->type_name("Z");
 }
 
 Parameters unjudgedParametersOf(const ParameterOptions& options) {

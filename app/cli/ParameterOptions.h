@@ -27,7 +27,10 @@ struct ParameterOptions {
 /// --preset and --params
 void addPresetOptions(CLI::App& command, ParameterOptions& options);
 
-/// Those and --metric, --threshold, --cluster-cutoff, --linkage, --min-points, --crop-height
+/// Those and --metric, --linkage, --crop-height: all but what a parameter search finds
+void addMethodOptions(CLI::App& command, ParameterOptions& options);
+
+/// Those and --threshold, --cluster-cutoff, --min-points
 void addDetectionParameterOptions(CLI::App& command, ParameterOptions& options);
 
 /// @throws Error for the file, UsageError for single options out of range, all of them told at once

@@ -24,6 +24,7 @@ void addCommands(CLI::App& program, fodscope::cli::Run& run) {
     addReportCommand(program, run);
     addVerifyCommand(program, run);
     addEvaluateCommand(program, run);
+    addTuneCommand(program, run);
     addParamsCommand(program, run);
 }
 

@@ -9,11 +9,11 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <thread>
 
 #include "core/common/Error.h"
 #include "core/evaluation/ClusterSweep.h"
 #include "core/evaluation/Numpy.h"
+#include "core/evaluation/SharedProgress.h"
 
 namespace fodscope {
 namespace {
@@ -81,42 +81,14 @@ std::vector<Task> tasksOf(std::span<const SearchTrial> trials, Metric metric, st
     return tasks;
 }
 
-/// Tells the whole's progress from the calling thread alone, and stops all threads when it is cancelled.
-class SharedProgress {
-  public:
-    SharedProgress(Progress& whole, std::size_t work) : whole_(whole), work_(static_cast<double>(work)) {}
-
-    /// For one task on any thread.
-    Progress forTask() {
-        return Progress([this](const std::string&, double) { look(); });
-    }
-
-    void add(std::size_t done) {
-        done_ += done;
-        look();
-    }
-
-  private:
-    void look() {
-        if (std::this_thread::get_id() != caller_)
-            whole_.throwIfCancelled();
-        else
-            whole_.report("searching the parameters", work_ > 0.0 ? static_cast<double>(done_) / work_ : 1.0);
-    }
-
-    Progress& whole_;
-    double work_;
-    std::atomic<std::size_t> done_{0};
-    std::thread::id caller_ = std::this_thread::get_id();
-};
-
 /// Costs per task, in the tasks' order.
 std::vector<std::vector<SearchCost>> sweepAll(std::span<const SearchTrial> trials, std::span<const Task> tasks,
                                               const ParameterSearchResult& grid, Progress& progress) {
-    std::size_t work = 0;
+    const auto workOf = [](const Task& task) { return static_cast<double>(task.voxels.size() + 1); };
+    double work = 0.0;
     for (const Task& task : tasks)
-        work += task.voxels.size() + 1;
-    SharedProgress shared(progress, work);
+        work += workOf(task);
+    SharedProgress shared(progress, "searching the parameters", work);
     std::vector<std::vector<SearchCost>> costs(tasks.size());
     std::atomic<std::size_t> next{0};
     // The index is not used: each call takes the largest task that is left.
@@ -125,10 +97,10 @@ std::vector<std::vector<SearchCost>> sweepAll(std::span<const SearchTrial> trial
         [&](std::size_t) {
             const std::size_t taken = next++;
             const Task& task = tasks[taken];
-            Progress part = shared.forTask();
+            Progress part = shared.forPart();
             costs[taken] =
                 sweepClusters(trials[task.trial], task.voxels, grid.settings, grid.cutoffs_m, grid.leastPoints, part);
-            shared.add(task.voxels.size() + 1);
+            shared.add(workOf(task));
         },
         tbb::simple_partitioner());
     return costs;
@@ -233,6 +205,8 @@ ParameterSearchResult searchParameters(std::span<const SearchTrial> trials, cons
     ParameterSearchResult result;
     result.settings = settings;
     result.trialCount = trials.size();
+    for (const SearchTrial& trial : trials)
+        result.fodCount += trial.fods_map.size();
     result.cutoffs_m = linearSpace(settings.lowestCutoff_m, settings.highestCutoff_m, settings.cutoffCount);
     result.thresholds = thresholdsOf(trials, settings);
     for (int least = settings.lowestLeastPoints; least <= settings.highestLeastPoints; ++least)

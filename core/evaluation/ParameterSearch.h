@@ -85,6 +85,7 @@ struct GridPoint {
 struct ParameterSearchResult {
     ParameterSearchSettings settings;
     std::size_t trialCount = 0;
+    std::size_t fodCount = 0;
     std::vector<double> cutoffs_m;
     std::vector<double> thresholds;
     std::vector<int> leastPoints;

@@ -136,7 +136,7 @@ void DetectionPipeline::cover(const Parameters& parameters, Seconds& seconds, Pr
     kept_.coverageSettings = parameters.coverage;
 }
 
-const DetectionResult& DetectionPipeline::run(const Parameters& parameters, Progress& progress) {
+const DetectionResult& DetectionPipeline::run(const Parameters& parameters, Progress& progress, PipelineEnd end) {
     if (!reference_ || reference_->points.empty()) {
         throw Error("reference", "is missing", "choose a reference map first");
     }
@@ -154,11 +154,13 @@ const DetectionResult& DetectionPipeline::run(const Parameters& parameters, Prog
     if (isTrusted(kept_.registration.quality)) {
         measure(parameters.discrepancy, seconds, progress);
         if (parameters.candidates.metric == Metric::ChiSquare) test(parameters.chiSquare, seconds, progress);
-        cluster(parameters, seconds, progress);
-        cover(parameters, seconds, progress);
         next.field = fieldFor(parameters.candidates.metric);
-        next.candidates = kept_.candidates;
-        next.coverage = kept_.coverage;
+        if (end == PipelineEnd::Coverage) {
+            cluster(parameters, seconds, progress);
+            cover(parameters, seconds, progress);
+            next.candidates = kept_.candidates;
+            next.coverage = kept_.coverage;
+        }
     }
     if (!kept_.floorHeight_m) kept_.floorHeight_m = floorHeight(*reference_);
     next.floorHeight_m = *kept_.floorHeight_m;

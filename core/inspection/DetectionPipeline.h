@@ -25,6 +25,10 @@ struct DetectionResult {
     std::map<std::string, double> stageSeconds;
 };
 
+/// The last stage of a run. What comes after the discrepancy is quick to redo, and not needed by those who search for
+/// its settings.
+enum class PipelineEnd { Discrepancy, Coverage };
+
 /// The paper's pipeline from a map to candidates: denoise → register → discrepancy → candidates, and coverage. It keeps
 /// the result of every stage with the settings that made it, and run() starts at the first stage that changed. Used
 /// from one thread at a time.
@@ -40,7 +44,9 @@ class DetectionPipeline {
     void setStart(std::optional<Transform> T_reference_from_map);
 
     /// @throws Error when reference or map are missing, or from a stage; Cancelled. The last good result is then kept.
-    const DetectionResult& run(const Parameters& parameters, Progress& progress);
+    /// Candidates and coverage of the result are null when it ends before them.
+    const DetectionResult& run(const Parameters& parameters, Progress& progress,
+                               PipelineEnd end = PipelineEnd::Coverage);
 
   private:
     using Seconds = std::map<std::string, double>;

@@ -9,6 +9,7 @@ namespace fodscope::cli {
 void addReferenceCommand(CLI::App& program, Run& run);
 void addDetectCommand(CLI::App& program, Run& run);
 void addPlanCommand(CLI::App& program, Run& run);
+void addTuneCommand(CLI::App& program, Run& run);
 void addSimulateCommand(CLI::App& program, Run& run);
 void addInspectCommand(CLI::App& program, Run& run);
 void addReportCommand(CLI::App& program, Run& run);
