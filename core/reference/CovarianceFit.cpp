@@ -11,6 +11,7 @@
 #include "core/cloud/VoxelGrid.h"
 #include "core/common/Error.h"
 #include "core/reference/Covariance.h"
+#include "core/reference/NominalMaps.h"
 
 namespace fodscope {
 namespace {
@@ -137,6 +138,7 @@ void requireUsable(const CovarianceFitSettings& settings) {
 
 /// The sums run over the samples in their order, so that they do not depend on the number of threads.
 void collectScatter(std::span<const Eigen::Vector3d> samples, ReferenceMap& reference, Progress& progress) {
+    requireFiniteSamples(samples);
     reference.sampleCount.assign(reference.size(), 0);
     reference.scatter.assign(reference.size(), Eigen::Matrix3d::Zero());
     const NeighbourIndex index(reference.points);

@@ -36,7 +36,7 @@ void requireUsable(const CovarianceFitSettings& settings);
 /// n_i and S_i = Σ Δx Δxᵀ of the samples about their nearest reference point (paper eq. "scatter"). Replaces what the
 /// reference held.
 /// @param samples points of nominal maps in the reference frame
-/// @throws Error when the reference has no points; Cancelled
+/// @throws Error when the reference has no points, or a coordinate is not finite; Cancelled
 void collectScatter(std::span<const Eigen::Vector3d> samples, ReferenceMap& reference, Progress& progress);
 
 /// Σ_i from the scatter of the reference points in its neighbourhood, itself included:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/reference/NominalMaps.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include "core/common/Error.h"
@@ -23,7 +24,13 @@ std::vector<Eigen::Vector3d> samplesOf(std::span<const AlignedNominalMap> maps, 
     if (samples.empty()) {
         throw Error("reference", "the nominal maps hold no points after denoising", "give maps with points");
     }
+    requireFiniteSamples(samples);
     return samples;
+}
+
+void requireFiniteSamples(std::span<const Eigen::Vector3d> samples) {
+    if (std::ranges::all_of(samples, [](const Eigen::Vector3d& sample) { return sample.allFinite(); })) return;
+    throw Error("reference", "a coordinate of the nominal maps is not finite", "drop such points first");
 }
 
 std::string provenanceOf(const OutlierRemovalSettings& denoise) {

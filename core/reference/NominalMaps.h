@@ -22,9 +22,12 @@ struct AlignedNominalMap {
 };
 
 /// @return the denoised points of all maps in the reference frame: what a reference is trained with
-/// @throws Error when there are no maps, or no point is left of them; Cancelled
+/// @throws Error when there are no maps, no point is left of them, or one is not finite; Cancelled
 std::vector<Eigen::Vector3d> samplesOf(std::span<const AlignedNominalMap> maps, const OutlierRemovalSettings& denoise,
                                        Progress& progress);
+
+/// @throws Error when a coordinate is NaN or infinite; readers drop such points
+void requireFiniteSamples(std::span<const Eigen::Vector3d> samples);
 
 /// @return the denoising in the words of a reference's provenance
 std::string provenanceOf(const OutlierRemovalSettings& denoise);

@@ -225,6 +225,59 @@ TEST(Discrepancy, ComparesARandomShareOfThePoints) {
     EXPECT_NE(measure().points, field.points);
 }
 
+TEST(Discrepancy, MapPointsThatAreNotFiniteAreLeftOut) {
+    const ReferenceMap reference = trainedCube();
+    auto map = randomPoints(300, 39);
+    Progress progress;
+    DiscrepancySettings settings = settingsOf(0.1, 5);
+    const auto expected = measureDiscrepancy(map, Transform::Identity(), reference, settings, progress);
+    const double infinity = std::numeric_limits<double>::infinity();
+    map.insert(map.begin() + 7, {std::nan(""), 0.5, 0.5});
+    map.emplace_back(0.5, infinity, 0.5);
+    map.emplace_back(0.5, 0.5, -infinity);
+    for (const bool crop : {true, false}) {
+        settings.cropToReference = crop;
+        const auto field = measureDiscrepancy(map, Transform::Identity(), reference, settings, progress);
+        for (const Eigen::Vector3d& point : field.points)
+            EXPECT_TRUE(point.allFinite());
+        if (crop) EXPECT_EQ(field.smoothedMahalanobis, expected.smoothedMahalanobis);
+    }
+}
+
+TEST(Discrepancy, CoincidentPointsAndMoreNeighboursThanVoxelsAreNoProblem) {
+    ReferenceMap reference = trainedCube();
+    reference.points.insert(reference.points.end(), 3, reference.points.front());
+    reference.covariance.assign(reference.size(), kCovariance);
+    reference.untrained.assign(reference.size(), 0);
+    const std::vector<Eigen::Vector3d> map(40, Eigen::Vector3d(0.5, 0.5, 0.5));
+    DiscrepancySettings settings = settingsOf(0.1, 1000);
+    settings.smoothing.weights = SmoothingWeights::Gaussian;
+    Progress progress;
+    const auto field = measureDiscrepancy(map, Transform::Identity(), reference, settings, progress);
+    ASSERT_EQ(field.size(), 1u);
+    EXPECT_EQ(field.weights.front(), 40u);
+    EXPECT_DOUBLE_EQ(field.smoothedEuclidean_m.front(), field.euclidean_m.front());
+    settings.downSampling = DownSampling::Random;
+    settings.randomRatio = 0.5;
+    const auto kept = measureDiscrepancy(map, Transform::Identity(), reference, settings, progress);
+    EXPECT_EQ(kept.size(), 20u);
+    EXPECT_DOUBLE_EQ(kept.smoothedMahalanobis.back(), kept.mahalanobis.front());
+}
+
+TEST(Discrepancy, ASingularCovarianceGivesNoDiscrepancy) {
+    ReferenceMap reference = trainedCube();
+    for (Eigen::Matrix3d& covariance : reference.covariance)
+        covariance = Eigen::Vector3d(1e-3, 1e-3, 0.0).asDiagonal();
+    Progress progress;
+    const auto field =
+        measureDiscrepancy(randomPoints(50, 40), Transform::Identity(), reference, settingsOf(0.1, 5), progress);
+    for (std::size_t i = 0; i < field.size(); ++i) {
+        EXPECT_TRUE(std::isnan(field.mahalanobis[i]));
+        EXPECT_TRUE(std::isnan(field.smoothedMahalanobis[i]));
+        EXPECT_FALSE(std::isnan(field.smoothedEuclidean_m[i]));
+    }
+}
+
 TEST(Discrepancy, AllSettingsOutOfRangeAreToldAtOnce) {
     DiscrepancySettings settings = settingsOf(-1.0, 0);
     settings.randomRatio = 2.0;

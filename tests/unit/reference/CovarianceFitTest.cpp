@@ -161,8 +161,12 @@ TEST(CovarianceFit, RefusesAReferenceWithoutScatterAndSamplesThatAreNotFinite) {
     expectError([&] { collectScatter(randomPoints(10, 82), empty, progress); }, "no points");
     bare.points.front().x() = kNan;
     expectError([&] { collectScatter(randomPoints(10, 82), bare, progress); }, "not finite");
-    progress.cancel();
     ReferenceMap reference = line({0.0, 1.0}, {1, 1});
+    for (const double bad : {kNan, std::numeric_limits<double>::infinity()}) {
+        const std::vector<Eigen::Vector3d> samples{{0.1, 0.0, 0.0}, {0.1, bad, 0.0}};
+        expectError([&] { collectScatter(samples, reference, progress); }, "not finite");
+    }
+    progress.cancel();
     EXPECT_THROW(fitCovariances(reference, nearest(1), progress), Cancelled);
 }
 

@@ -161,6 +161,10 @@ TEST(MeanReference, RefusesNoMapsAndSettingsOutOfRange) {
     MeanReferenceSettings bad = settings(0.25, 9);
     bad.voxelSize_m = 0.0;
     expectError([&] { meanReference(maps, bad, progress); }, "reference voxel");
+    PointCloud broken = map;
+    broken.points[3].y() = std::nan("");
+    const std::vector<AlignedNominalMap> unusable{{&broken, Transform::Identity()}};
+    expectError([&] { meanReference(unusable, settings(0.25, 9), progress); }, "not finite");
     progress.cancel();
     EXPECT_THROW(meanReference(maps, settings(0.25, 9), progress), Cancelled);
 }
