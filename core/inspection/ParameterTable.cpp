@@ -142,7 +142,7 @@ void addSmoothing(std::vector<ParameterField>& table, const std::string& name, c
     Section section(table, name, path);
     section.choice(&SmoothingSettings::neighbourhood, word + "_neighbourhood", {"knn", "ball"},
                    "what is smoothed over: the k nearest, or all in a ball");
-    section.whole(&SmoothingSettings::neighbours, word + "_neighbours", 1, 10000,
+    section.whole(&SmoothingSettings::neighbours, word + "_neighbours", 1, 1000000,
                   "k of the k nearest; 1: no smoothing");
     section.number(&SmoothingSettings::radius_m, word + "_radius_m", "m", 0.001, 100, "radius of the ball");
     section.choice(&SmoothingSettings::weights, word + "_weights", {"mean", "gaussian"},
