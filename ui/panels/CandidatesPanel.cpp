@@ -21,6 +21,17 @@ ValueRange thresholdRange(Metric metric) {
     return {0.0, 0.25, 0.001, 0.01, QStringLiteral("mm"), 1000.0, 1};
 }
 
+/// χ² distances go to 3162, far beyond the thresholds of use: those beyond the slider are drawn just past its end.
+std::vector<double> drawnValues(const DiscrepancyField& field, Metric metric) {
+    std::vector<double> values = field.smoothed(metric);
+    if (metric != Metric::ChiSquare) return values;
+    const ValueRange range = thresholdRange(metric);
+    for (double& value : values) {
+        if (value > range.maximum) value = range.maximum + range.step;
+    }
+    return values;
+}
+
 constexpr double kCutoffMaximum_m = 1.0;
 constexpr double kLeastPointsMaximum = 100.0;
 
@@ -151,7 +162,7 @@ void CandidatesPanel::refreshField() {
         binnedMetric_ = metric;
         const bool isKnown = field != nullptr && field->has(metric);
         if (isKnown)
-            histogram_->setValues(field->smoothed(metric));
+            histogram_->setValues(drawnValues(*field, metric));
         else
             histogram_->clear();
     }
