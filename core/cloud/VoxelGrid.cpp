@@ -59,6 +59,11 @@ VoxelCloud voxelGrid(std::span<const Eigen::Vector3d> points, const Eigen::Vecto
     check(settings);
     VoxelCloud voxels;
     if (points.empty()) return voxels;
+    const bool isFinite =
+        std::all_of(points.begin(), points.end(), [](const auto& point) { return point.allFinite(); });
+    if (!isFinite || !origin.allFinite()) {
+        throw Error("point cloud", "a coordinate is not finite", "drop such points first");
+    }
     const std::vector<KeyedPoint> keyed = sortedByVoxel(points, origin, settings.voxelSize_m);
     for (std::size_t first = 0; first < keyed.size();) {
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();

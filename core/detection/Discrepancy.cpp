@@ -60,12 +60,21 @@ std::vector<Eigen::Vector3d> cropped(std::span<const Eigen::Vector3d> map, const
     return inside;
 }
 
+void check(const ReferenceMap& reference) {
+    if (reference.size() == 0) throw Error("reference map", "it has no points", "build it anew");
+    const auto fits = [&](std::size_t size) { return size == 0 || size == reference.size(); };
+    if (!fits(reference.covariance.size()) || !fits(reference.untrained.size())) {
+        throw Error("reference map", "it has not one covariance a point", "build it anew");
+    }
+}
+
 /// Paper eq. "M-dist_local".
 void measureMahalanobis(const ReferenceMap& reference, DiscrepancyField& field) {
     field.mahalanobis.assign(field.size(), std::numeric_limits<double>::quiet_NaN());
     for (std::size_t i = 0; i < field.size(); ++i) {
         const std::uint32_t nearest = field.nearest[i];
         if (!reference.untrained.empty() && reference.untrained[nearest] != 0) continue;
+        if (!reference.covariance[nearest].allFinite()) continue;
         const Eigen::LLT<Eigen::Matrix3d> factor(reference.covariance[nearest]);
         if (factor.info() != Eigen::Success) continue;
         const Eigen::Vector3d deviation = field.points[i] - reference.points[nearest];
@@ -148,7 +157,7 @@ DiscrepancyField measureDiscrepancy(std::span<const Eigen::Vector3d> map, const 
                                     const ReferenceMap& reference, const DiscrepancySettings& settings,
                                     Progress& progress) {
     check(settings);
-    if (reference.size() == 0) throw Error("reference map", "it has no points", "build it anew");
+    check(reference);
     progress.report("voxels of the map", 0.0);
     VoxelCloud voxels = thinned(cropped(map, T_reference_from_map, reference, settings), settings);
 

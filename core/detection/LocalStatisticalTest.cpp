@@ -26,6 +26,18 @@ void checkNeighbours(int neighbours) {
                 "give a whole number such as 16");
 }
 
+void check(const LocalStatisticalTestSettings& settings) {
+    std::string problems;
+    if (settings.neighbours < 2)
+        problems = "the neighbours must be at least 2, not " + std::to_string(settings.neighbours);
+    if (!(settings.pValue > 0.0 && settings.pValue < 1.0)) {
+        if (!problems.empty()) problems += ", ";
+        problems += "the p-value must be greater than 0 and less than 1";
+    }
+    if (!problems.empty())
+        throw Error("chi-square settings", problems, "the defaults are 16 neighbours and a p-value of 0.0005");
+}
+
 std::vector<double> finiteOf(std::span<const double> values) {
     std::vector<double> finite;
     finite.reserve(values.size());
@@ -231,6 +243,7 @@ int testClasses(int neighbours) {
 }
 
 double testThreshold(const LocalStatisticalTestSettings& settings) {
+    check(settings);
     return std::sqrt(chiSquareQuantile(settings.pValue, testClasses(settings.neighbours) - 1));
 }
 
@@ -264,7 +277,7 @@ std::vector<double> localChiSquare(std::span<const Eigen::Vector3d> points, std:
 
 std::vector<double> localStatisticalTest(std::span<const Eigen::Vector3d> points, std::span<const double> values,
                                          const LocalStatisticalTestSettings& settings, Progress& progress) {
-    checkNeighbours(settings.neighbours);
+    check(settings);
     FittedDistribution distribution;
     if (settings.distribution == TestDistribution::Gauss) {
         distribution = fitGauss(values);

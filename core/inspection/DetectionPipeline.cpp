@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "core/inspection/DetectionPipeline.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
 #include "core/common/Error.h"
+#include "core/inspection/ParameterTable.h"
 
 namespace fodscope {
 namespace {
@@ -25,6 +27,18 @@ class StageClock {
     std::string stage_;
     std::chrono::steady_clock::time_point begin_;
 };
+
+void requireFinite(const std::string& subject, const std::vector<Eigen::Vector3d>& points) {
+    const bool isFinite = std::ranges::all_of(points, [](const Eigen::Vector3d& point) { return point.allFinite(); });
+    if (!isFinite) throw Error(subject, "a coordinate is not finite", "drop such points first");
+}
+
+void requireGood(const Parameters& parameters) {
+    std::string text;
+    for (const std::string& problem : parameterProblems(parameters))
+        text += (text.empty() ? "" : ", ") + problem;
+    if (!text.empty()) throw Error("parameters", text, "give values that are allowed");
+}
 
 }  // namespace
 
@@ -145,6 +159,9 @@ const DetectionResult& DetectionPipeline::run(const Parameters& parameters, Prog
         throw Error("reference", "has no covariances, which the Mahalanobis metric needs",
                     "use the Euclidean metric, or a reference made from nominal maps");
     }
+    requireFinite("reference", reference_->points);
+    requireFinite("map", map_->points);
+    requireGood(parameters);
     Seconds seconds;
     denoise(parameters.denoise, seconds, progress);
     align(parameters.registration, seconds, progress);

@@ -48,6 +48,13 @@ ReferenceMap referenceFromCad(const TriangleMesh& mesh, const CadReferenceSettin
     if (!(settings.spacing_m > 0.0) || !std::isfinite(settings.spacing_m)) {
         throw Error("spacing", "must be greater than 0", "give a length in metres such as 0.01");
     }
+    const auto isVertex = [&](std::uint32_t index) { return index < mesh.vertices.size(); };
+    for (const auto& triangle : mesh.triangles) {
+        if (!std::ranges::all_of(triangle, isVertex))
+            throw Error("CAD mesh", "a triangle has a vertex that is not there", "export the mesh anew");
+        if (!std::ranges::all_of(triangle, [&](std::uint32_t index) { return mesh.vertices[index].allFinite(); }))
+            throw Error("CAD mesh", "a coordinate is not finite", "export the mesh anew");
+    }
     double area = 0.0;
     for (const auto& triangle : mesh.triangles)
         area += areaOf(mesh, triangle);

@@ -50,9 +50,13 @@ void appendCovariances(const ReferenceMap& reference, std::vector<PlyColumn>& co
     columns.push_back(std::move(logDet));
 }
 
-std::int32_t wholeNumber(double value) {
-    if (!(std::abs(value) < std::numeric_limits<std::int32_t>::max())) return 0;
-    return static_cast<std::int32_t>(std::lround(value));
+std::int32_t countIn(const PlyColumn& column, std::size_t i, const std::string& subject) {
+    const double value = column.values[i];
+    if (!(value >= 0.0 && value <= std::numeric_limits<std::int32_t>::max()) || value != std::floor(value)) {
+        throw Error(subject, "the " + column.name + " of point " + std::to_string(i + 1) + " is no count",
+                    "build the reference map anew");
+    }
+    return static_cast<std::int32_t>(value);
 }
 
 /// @return the column, or null; one that the file lacks while it has others of its kind is an error of the caller
@@ -91,8 +95,8 @@ ReferenceMap referenceFromPly(const PlyContents& contents, const std::string& su
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!points[i].allFinite()) continue;
         reference.points.push_back(points[i]);
-        if (occupancy != nullptr) reference.occupancy.push_back(wholeNumber(occupancy->values[i]));
-        if (sampleCount != nullptr) reference.sampleCount.push_back(wholeNumber(sampleCount->values[i]));
+        if (occupancy != nullptr) reference.occupancy.push_back(countIn(*occupancy, i, subject));
+        if (sampleCount != nullptr) reference.sampleCount.push_back(countIn(*sampleCount, i, subject));
         if (covariances[0] == nullptr) continue;
         const Eigen::Matrix3d covariance = covarianceAt(covariances, i);
         const bool isMarked = untrained != nullptr && untrained->values[i] != 0.0;

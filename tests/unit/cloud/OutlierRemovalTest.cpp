@@ -71,6 +71,22 @@ TEST(OutlierRemoval, RefusesSettingsOutOfRange) {
     EXPECT_THROW(keptByOutlierRemoval(points, {true, 50, std::nan("")}, progress), Error);
 }
 
+TEST(OutlierRemoval, TakesTheWholeCloudWhereItHasFewerPointsThanNeighbours) {
+    const auto points = randomPoints(30, 15);
+    Progress progress;
+    EXPECT_EQ(keptByOutlierRemoval(points, {true, 1000000, 1.0}, progress),
+              keptByOutlierRemoval(points, {true, 30, 1.0}, progress));
+}
+
+TEST(OutlierRemoval, RefusesPointsThatAreNotFinite) {
+    Progress progress;
+    for (const double bad : {std::nan(""), HUGE_VAL}) {
+        auto points = randomPoints(10, 16);
+        points[3].x() = bad;
+        EXPECT_THROW(keptByOutlierRemoval(points, {}, progress), Error);
+    }
+}
+
 TEST(Select, TakesPointsWithTheirColours) {
     PointCloud cloud;
     cloud.points = randomPoints(3, 15);

@@ -52,6 +52,15 @@ TEST(VoxelGrid, RefusesASizeThatIsNotPositiveAndALatticeThatIsTooLarge) {
     EXPECT_EQ(voxelGrid({}, Eigen::Vector3d::Zero(), {1e-3}).size(), 0u);
 }
 
+TEST(VoxelGrid, RefusesPointsThatAreNotFinite) {
+    const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+    for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+        const std::vector<Eigen::Vector3d> points{{0.0, 0.0, 0.0}, {0.0, bad, 0.0}, {1.0, 1.0, 1.0}};
+        EXPECT_THROW(voxelGrid(points, origin, {0.1}), Error);
+        EXPECT_THROW(voxelGrid(std::vector<Eigen::Vector3d>{points[0]}, points[1], {0.1}), Error);
+    }
+}
+
 TEST(Corners, BoundThePointsAndNeedAtLeastOne) {
     const std::vector<Eigen::Vector3d> points{{1.0, -2.0, 3.0}, {-4.0, 5.0, 0.0}};
     EXPECT_EQ(minimumCorner(points), Eigen::Vector3d(-4.0, -2.0, 0.0));

@@ -203,6 +203,16 @@ TEST(LocalStatisticalTest, RefusesWhatCannotBeTested) {
         settings.pValue = pValue;
         EXPECT_THROW(testThreshold(settings), Error);
     }
+    settings.neighbours = 1;
+    settings.pValue = 2.0;
+    try {
+        localStatisticalTest(points, values, settings, progress);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(),
+                     "chi-square settings: the neighbours must be at least 2, not 1, the p-value must be greater than "
+                     "0 and less than 1; the defaults are 16 neighbours and a p-value of 0.0005");
+    }
 }
 
 TEST(LocalStatisticalTest, CanBeCancelled) {

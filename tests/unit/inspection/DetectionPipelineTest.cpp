@@ -250,5 +250,52 @@ TEST(DetectionPipeline, ASinglePointIsAnErrorOrABadAlignmentNeverACrash) {
     }
 }
 
+TEST(DetectionPipeline, SettingsOutOfRangeAreListedAtOnceBeforeAnythingRuns) {
+    DetectionPipeline pipeline = readyPipeline();
+    Parameters parameters = paper();
+    parameters.denoise.neighbours = -3;
+    parameters.registration.mapVoxelSize_m = 0.0;
+    parameters.discrepancy.voxelSize_m = std::nan("");
+    parameters.chiSquare.pValue = 2.0;
+    parameters.candidates.threshold = -HUGE_VAL;
+    parameters.coverage.observedWithin_m = 0.0;
+    Progress progress([](const std::string& stage, double) { ADD_FAILURE() << stage; });
+    try {
+        pipeline.run(parameters, progress);
+        FAIL();
+    } catch (const Error& error) {
+        for (const char* key : {"denoise.neighbours", "registration.map_voxel_size_m", "discrepancy.voxel_size_m",
+                                "chi_square.p_value", "candidates.threshold", "coverage.observed_within_m"})
+            EXPECT_THAT(error.what(), HasSubstr(key));
+    }
+}
+
+TEST(DetectionPipeline, MapsAndReferencesThatAreNotFiniteAreErrors) {
+    Progress progress;
+    auto map = std::make_shared<PointCloud>(*mapWithObjects());
+    map->points[100].x() = std::nan("");
+    DetectionPipeline pipeline = readyPipeline();
+    pipeline.setMap(map);
+    EXPECT_THROW(pipeline.run(paper(), progress), Error);
+    auto reference = std::make_shared<ReferenceMap>(*roomReferenceMap());
+    reference->points[100].x() = HUGE_VAL;
+    pipeline = readyPipeline();
+    pipeline.setReference(reference);
+    EXPECT_THROW(pipeline.run(paper(), progress), Error);
+}
+
+TEST(DetectionPipeline, CoincidentPointsAreAnErrorOrABadAlignmentNeverACrash) {
+    DetectionPipeline pipeline = readyPipeline();
+    PointCloud map;
+    map.points.assign(1000, Eigen::Vector3d(1.0, 1.0, 0.5));
+    pipeline.setMap(std::make_shared<PointCloud>(map));
+    Progress progress;
+    try {
+        EXPECT_EQ(pipeline.run(paper(), progress).registration.quality, RegistrationQuality::Bad);
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), HasSubstr("map: "));
+    }
+}
+
 }  // namespace
 }  // namespace fodscope

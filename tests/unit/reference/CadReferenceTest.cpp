@@ -76,6 +76,14 @@ TEST(CadReference, RefusesBadSpacingsAndMeshesWithoutArea) {
     TriangleMesh flat = example();
     flat.triangles = {{4, 4, 5}};
     expectError([&] { sample(flat, 0.01); }, "no area");
+    TriangleMesh torn = example();
+    torn.triangles.push_back({0, 1, static_cast<std::uint32_t>(torn.vertices.size())});
+    expectError([&] { sample(torn, 0.01); }, "a vertex that is not there");
+    for (const double bad : {std::nan(""), HUGE_VAL}) {
+        TriangleMesh broken = example();
+        broken.vertices[broken.triangles.front()[1]].y() = bad;
+        expectError([&] { sample(broken, 0.01); }, "a coordinate is not finite");
+    }
     progress.cancel();
     EXPECT_THROW(sample(example(), 0.01), Cancelled);
 }

@@ -94,6 +94,41 @@ TEST(ReferenceMapIo, TakesACovarianceThatIsNoneForUntrained) {
     EXPECT_EQ(readReferenceMap(folder / "ref.ply").untrained, (std::vector<std::uint8_t>{1, 1}));
 }
 
+std::vector<PlyColumn> threePoints() {
+    return {{"x", ScalarType::Float32, {1.0, 2.0, 3.0}},
+            {"y", ScalarType::Float32, {1.0, 2.0, 3.0}},
+            {"z", ScalarType::Float32, {1.0, 2.0, 3.0}}};
+}
+
+TEST(ReferenceMapIo, RefusesCountsThatAreNone) {
+    const TemporaryFolder folder;
+    for (const char* name : {"occupancy", "sample_count"}) {
+        for (const double bad : {-1.0, 2.5, 1e12, std::nan(""), HUGE_VAL}) {
+            std::vector<PlyColumn> columns = threePoints();
+            columns.push_back({name, ScalarType::Float64, {4.0, bad, 5.0}});
+            writePly(folder / "ref.ply", {}, columns);
+            expectError([&] { readReferenceMap(folder / "ref.ply"); },
+                        std::string("ref.ply: the ") + name + " of point 2 is no count");
+        }
+    }
+}
+
+TEST(ReferenceMapIo, APointIsTrainedOnlyWhereMarkAndCovarianceSaySo) {
+    const TemporaryFolder folder;
+    // Marked as untrained with a covariance; marked as trained with one that is none; a mark that is no mark.
+    std::vector<PlyColumn> columns = threePoints();
+    columns.push_back({"untrained", ScalarType::Float32, {1.0, 0.0, std::nan("")}});
+    for (const char* name : {"cov_xx", "cov_yy", "cov_zz"})
+        columns.push_back({name, ScalarType::Float32, {1.0, std::nan(""), 1.0}});
+    for (const char* name : {"cov_xy", "cov_xz", "cov_yz"})
+        columns.push_back({name, ScalarType::Float32, {0.0, 0.0, 0.0}});
+    writePly(folder / "ref.ply", {}, columns);
+    const ReferenceMap reference = readReferenceMap(folder / "ref.ply");
+    EXPECT_EQ(reference.untrained, (std::vector<std::uint8_t>{1, 1, 1}));
+    for (const Eigen::Matrix3d& covariance : reference.covariance)
+        EXPECT_TRUE(covariance.array().isNaN().all());
+}
+
 TEST(ReferenceMapIo, TellsWhatIsWrongWithAFile) {
     const TemporaryFolder folder;
     const std::vector<PlyColumn> columns{
