@@ -22,7 +22,7 @@ struct Measured {
 };
 
 Measured measure(const std::shared_ptr<const ReferenceMap>& reference, const Trial& trial, const Parameters& parameters,
-                 Progress& progress) {
+                 TrialPlacement placement, Progress& progress) {
     const auto begin = std::chrono::steady_clock::now();
     progress.report("reading the map", 0.0);
     auto map = std::make_shared<PointCloud>(readPointCloud(trial.map));
@@ -31,7 +31,10 @@ Measured measure(const std::shared_ptr<const ReferenceMap>& reference, const Tri
     DetectionPipeline pipeline;
     pipeline.setReference(reference);
     pipeline.setMap(std::move(map));
-    pipeline.setStart(trial.T_cad_from_map_initial);
+    if (placement == TrialPlacement::Stored)
+        pipeline.setGivenTransform(trial.T_cad_from_map);
+    else
+        pipeline.setStart(trial.T_cad_from_map_initial);
     const DetectionResult& detection = pipeline.run(parameters, progress, PipelineEnd::Discrepancy);
     Measured measured;
     measured.trial.name = trial.name;
@@ -48,18 +51,25 @@ Measured measure(const std::shared_ptr<const ReferenceMap>& reference, const Tri
 }  // namespace
 
 MeasuredTrials measureTrials(const std::shared_ptr<const ReferenceMap>& reference, std::span<const Trial> trials,
-                             const Parameters& parameters, Progress& progress) {
+                             const Parameters& parameters, TrialPlacement placement, Progress& progress) {
     MeasuredTrials result;
     std::vector<const Trial*> withFod;
+    std::string lacking;
     for (const Trial& trial : trials) {
         if (trial.isNominal())
             result.nominalMaps.push_back(trial.name);
         else
             withFod.push_back(&trial);
+        if (placement == TrialPlacement::Stored && !trial.isNominal() && !trial.T_cad_from_map)
+            lacking += (lacking.empty() ? "" : ", ") + trial.name;
     }
     if (withFod.empty()) {
         throw Error("trials", "all maps are nominal, there is no FOD to find in them",
                     "give a folder with maps whose \"fods\" is not empty");
+    }
+    if (!lacking.empty()) {
+        throw Error("trials", "no T_cad_from_map is stored for " + lacking,
+                    "leave --stored-transforms out, then the program registers the maps itself");
     }
     SharedProgress shared(progress, "measuring " + std::to_string(withFod.size()) + " trials",
                           static_cast<double>(withFod.size()));
@@ -70,7 +80,8 @@ MeasuredTrials measureTrials(const std::shared_ptr<const ReferenceMap>& referenc
             Progress part = shared.forPart();
             try {
                 // A thread that waits for a stage of one trial must not begin with another trial.
-                tbb::this_task_arena::isolate([&] { measured[i] = measure(reference, *withFod[i], parameters, part); });
+                tbb::this_task_arena::isolate(
+                    [&] { measured[i] = measure(reference, *withFod[i], parameters, placement, part); });
             } catch (const Error& error) {
                 if (error.subject() != "map") throw;
                 throw Error(withFod[i]->map.string(), error.problem(), error.remedy());

@@ -14,6 +14,12 @@
 
 namespace fodscope {
 
+/// How a trial's map comes to lie on the reference.
+enum class TrialPlacement {
+    Registered,  ///< by the program's own registration, from T_cad_from_map_initial where there is one
+    Stored       ///< by its T_cad_from_map
+};
+
 /// Trials brought as far as the discrepancy, ready to be searched.
 struct MeasuredTrials {
     /// Those with FOD, in the given order.
@@ -26,10 +32,10 @@ struct MeasuredTrials {
     std::map<std::string, double> stageSeconds;
 };
 
-/// Reads and measures the maps of all trials that have FOD, several at once. The registration is the program's own,
-/// from T_cad_from_map_initial where there is one.
-/// @throws Error when no trial has FOD, or naming the map that cannot be read; Cancelled
+/// Reads and measures the maps of all trials that have FOD, several at once.
+/// @throws Error when no trial has FOD, naming those whose stored transform is missing, or the map that cannot be read;
+///         Cancelled
 MeasuredTrials measureTrials(const std::shared_ptr<const ReferenceMap>& reference, std::span<const Trial> trials,
-                             const Parameters& parameters, Progress& progress);
+                             const Parameters& parameters, TrialPlacement placement, Progress& progress);
 
 }  // namespace fodscope

@@ -21,6 +21,7 @@ struct Options {
     std::string trials;
     ParameterOptions parameters;
     GridOptions grid;
+    bool storedTransforms = false;
     std::vector<std::string> surfaces;
     std::string out;
 };
@@ -60,6 +61,7 @@ void writeSurface(const std::string& file, const ParameterSearchResult& result) 
 void execute(const Options& options, Context& context) {
     const Parameters parameters = parametersOf(options.parameters);
     const ParameterSearchSettings settings = searchSettingsOf(options.grid, parameters.candidates);
+    const TrialPlacement placement = options.storedTransforms ? TrialPlacement::Stored : TrialPlacement::Registered;
     requireWritable(options.out);
     for (const std::string& surface : options.surfaces)
         requireWritable(surface);
@@ -67,7 +69,7 @@ void execute(const Options& options, Context& context) {
     context.progress.report("reading the reference", 0.0);
     const LoadedReferenceMap reference = loadReference(options.reference);
     const auto [measured, result] = namingFiles({{"reference", options.reference}, {"trials", options.trials}}, [&] {
-        MeasuredTrials maps = measureTrials(reference.reference, trials, parameters, context.progress);
+        MeasuredTrials maps = measureTrials(reference.reference, trials, parameters, placement, context.progress);
         ParameterSearchResult found = searchParameters(maps.trials, settings, context.progress);
         return std::pair(std::move(maps), std::move(found));
     });
@@ -96,6 +98,8 @@ void addTuneCommand(CLI::App& program, Run& run) {
         ->type_name("DIR");
     addMethodOptions(*command, options->parameters);
     addGridOptions(*command, options->grid);
+    const std::string stored = "place each map by its T_cad_from_map instead of registering it";
+    command->add_flag("--stored-transforms", options->storedTransforms, stored);
     command
         ->add_option(
             "--surface", options->surfaces,
