@@ -23,7 +23,7 @@ constexpr double kDeviationPerMedian = 1.4826;
 constexpr double kLeastScale_m = 0.003;
 /// Residuals of places nearer than this go together, see poseUncertainty(): a robot that maps as it drives is off by
 /// about the same over so far.
-constexpr double kCorrelationLength_m = 2.0;
+constexpr double kCorrelationLength_m = 3.0;
 
 struct Moved {
     std::vector<Eigen::Vector3d> centres;

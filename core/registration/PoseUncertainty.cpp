@@ -16,7 +16,7 @@ using Vector6 = MotionEquations::Vector;
 using Matrix6 = MotionEquations::Matrix;
 
 /// The reference's surfaces are not truer than this as a whole: thickness of plates, voxels, bias of the sensor.
-constexpr double kModelDeviation_m = 0.001;
+constexpr double kModelDeviation_m = 0.002;
 
 using Cell = std::array<long, 3>;
 

@@ -59,7 +59,7 @@ MotionEquations motionEquations(std::span<const PlaneEquation> equations);
 /// equation brings on the average and over the number of independent equations, s² (H/W)⁻¹ / n. Residuals are not
 /// independent: drift, and surfaces that are not where the reference has them, move whole stretches together. So only
 /// places farther apart than `correlationLength_m` count as independent (n cells of that edge), however many equations
-/// each has. A millimetre that all residuals share is added.
+/// each has. Two millimetres that all residuals share are added.
 /// Source: Censi 2007 (Hessian); Bayley and Hammersley 1946 (effective number of correlated observations).
 PoseUncertainty poseUncertainty(std::span<const PlaneEquation> equations, const MotionEquations& motion,
                                 double correlationLength_m);

@@ -71,7 +71,26 @@ void expectEqual(const DetectionRecord& actual, const DetectionRecord& expected)
     EXPECT_EQ(a.converged, b.converged);
     EXPECT_EQ(a.rms_m, b.rms_m);
     EXPECT_EQ(a.overlap, b.overlap);
+    EXPECT_EQ(a.explained, b.explained);
     EXPECT_EQ(a.summary, b.summary);
+    ASSERT_EQ(a.start_T_reference_from_map.has_value(), b.start_T_reference_from_map.has_value());
+    if (b.start_T_reference_from_map) {
+        EXPECT_EQ(a.start_T_reference_from_map->matrix(), b.start_T_reference_from_map->matrix());
+    }
+    ASSERT_EQ(a.alternatives.size(), b.alternatives.size());
+    for (std::size_t i = 0; i < b.alternatives.size(); ++i) {
+        EXPECT_EQ(a.alternatives[i].T_reference_from_map.matrix(), b.alternatives[i].T_reference_from_map.matrix());
+        EXPECT_EQ(a.alternatives[i].rms_m, b.alternatives[i].rms_m);
+        EXPECT_EQ(a.alternatives[i].overlap, b.alternatives[i].overlap);
+        EXPECT_EQ(a.alternatives[i].explained, b.alternatives[i].explained);
+    }
+    ASSERT_EQ(a.uncertainty.has_value(), b.uncertainty.has_value());
+    if (b.uncertainty) {
+        EXPECT_EQ(a.uncertainty->centre_reference, b.uncertainty->centre_reference);
+        EXPECT_EQ(a.uncertainty->covariance, b.uncertainty->covariance);
+        EXPECT_EQ(a.uncertainty->looseDirections, b.uncertainty->looseDirections);
+        EXPECT_EQ(a.uncertainty->looseTurn, b.uncertainty->looseTurn);
+    }
     ASSERT_EQ(actual.field != nullptr, expected.field != nullptr);
     if (expected.field) expectEqual(*actual.field, *expected.field);
     ASSERT_EQ(actual.candidates != nullptr, expected.candidates != nullptr);
@@ -191,7 +210,14 @@ DetectionResult sampleDetection() {
     result.registration.converged = true;
     result.registration.rms_m = 0.0081;
     result.registration.overlap = 0.94;
+    result.registration.explained = 0.875;
     result.registration.summary = "aligned, 8 mm rms, 94 % overlap";
+    result.registration.start_T_reference_from_map = transformFromPose({0.1, -0.3, 0.65});
+    PoseUncertainty uncertainty;
+    uncertainty.centre_reference = {1.0, 2.0, 1.0 / 3.0};
+    uncertainty.covariance.diagonal() << 4e-6, 5e-6, 1e-6, 1e-7, 2e-7, 3e-7;
+    uncertainty.covariance(0, 5) = uncertainty.covariance(5, 0) = 1e-7;
+    result.registration.uncertainty = uncertainty;
     result.field = field;
     result.candidates = candidates;
     result.coverage = coverage;

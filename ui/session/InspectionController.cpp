@@ -128,6 +128,8 @@ void InspectionController::adoptSession(std::shared_ptr<SessionFile> file, Inspe
     closeSession();
     session_ = std::move(file);
     inspection_ = std::make_unique<Inspection>(std::move(state), *session_);
+    if (const auto& detection = this->state().detection)
+        startPose_ = detection->registration.start_T_reference_from_map;
     refreshVerdicts();
     if (const auto& opened = this->state(); opened.plan)
         visits_.setPlan(*opened.plan, resumable(opened.visits), opened.parameters.visits);
@@ -149,6 +151,7 @@ void InspectionController::closeSession() {
     pipeline_ = std::make_shared<DetectionPipeline>();
     map_.reset();
     givenTransform_.reset();
+    startPose_.reset();
     settingsWithCovariances_.reset();
     robotStart_.reset();
     givenGrid_.reset();

@@ -59,6 +59,9 @@ class InspectionController : public QObject {
     void loadGivenTransform(const QString& csvFile);
     void clearGivenTransform();
     bool hasGivenTransform() const { return givenTransform_.has_value(); }
+    /// Aligns the map again from a start pose: one of the poses of an ambiguous alignment, or one that is known. Empty:
+    /// all poses are searched again.
+    void alignFrom(const std::optional<Transform>& start_T_reference_from_map);
     /// Aligns the map, measures the discrepancy and finds candidates.
     void detect();
     void setParameters(const Parameters& parameters);
@@ -207,6 +210,7 @@ class InspectionController : public QObject {
     double meshScale_ = 1.0;
     std::optional<LoadedMap> map_;
     std::optional<Transform> givenTransform_;
+    std::optional<Transform> startPose_;
     /// What was chosen before a reference without covariances took Mahalanobis away.
     std::optional<CandidateSettings> settingsWithCovariances_;
     std::shared_ptr<const CandidateSet> preview_;

@@ -63,6 +63,7 @@ void InspectionController::loadReference(const ReferenceRequest& request) {
 
 void InspectionController::adoptReference(const LoadedReference& loaded) {
     inspection_->setReference(loaded.source, loaded.reference);
+    startPose_.reset();
     chooseMetricFor(*loaded.reference);
     afterInputChanged();
     emit referenceChanged();
@@ -114,6 +115,7 @@ void InspectionController::loadMap(const QString& file) {
 
 void InspectionController::adoptMap(const SourceFile& source, const LoadedMap& map) {
     inspection_->setMap(source);
+    startPose_.reset();
     map_ = map;
     robotGrid_.reset();
     afterInputChanged();
@@ -135,6 +137,11 @@ void InspectionController::clearGivenTransform() {
     if (state().reference && state().mapSource) detect();
 }
 
+void InspectionController::alignFrom(const std::optional<Transform>& start_T_reference_from_map) {
+    startPose_ = start_T_reference_from_map;
+    if (state().reference && state().mapSource) detect();
+}
+
 void InspectionController::detect() {
     detectWith(state().parameters, {});
 }
@@ -151,11 +158,13 @@ void InspectionController::detectWith(const Parameters& parameters, const std::f
     auto reread = std::make_shared<std::optional<LoadedMap>>(map_);
     runFor(Step::Map, tr("detecting"),
            [this, reread, parameters, afterwards, pipeline = pipeline_, reference = state().reference,
-            source = *state().mapSource, given = givenTransform_](Progress& progress) -> TaskRunner::Adopt {
+            source = *state().mapSource, given = givenTransform_,
+            start = startPose_](Progress& progress) -> TaskRunner::Adopt {
                if (!*reread) *reread = rereadMap(source, progress);
                pipeline->setReference(reference);
                pipeline->setMap((*reread)->cloud);
                pipeline->setGivenTransform(given);
+               pipeline->setStart(start);
                const DetectionResult result = pipeline->run(parameters, progress);
                return [this, reread, parameters, afterwards, result] {
                    const bool isNew = !map_;

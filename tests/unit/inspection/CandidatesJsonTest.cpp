@@ -65,6 +65,22 @@ TEST(CandidatesJson, GivenTransformsDidNotConvergeAndBadAlignmentsClaimNothing) 
     EXPECT_TRUE(json.at("registration").at("rms_m").is_null());
 }
 
+TEST(CandidatesJson, AnAmbiguousAlignmentListsAllPosesAndClaimsNone) {
+    DetectionRecord record = sampleRecord();
+    record.registration.quality = RegistrationQuality::Ambiguous;
+    record.registration.alternatives.push_back({transformFromPose({4.0, 3.0, -2.4}), 0.009, 0.93, 0.86});
+    record.candidates.reset();
+    const Json json = Json::parse(candidatesJson(kReference, kMap, record));
+    EXPECT_TRUE(json.at("T_reference_from_map").is_null());
+    EXPECT_EQ(json.at("registration").at("quality"), "ambiguous");
+    const Json& poses = json.at("registration").at("alternatives");
+    ASSERT_EQ(poses.size(), 2u);
+    EXPECT_EQ(poses.at(0).at("T_reference_from_map").at(0).at(3), 0.125);
+    EXPECT_EQ(poses.at(1).at("T_reference_from_map").at(0).at(3), 4.0);
+    EXPECT_EQ(poses.at(1).at("explained"), 0.86);
+    EXPECT_EQ(json.at("registration").at("uncertainty").at("position_std_m"), Json::array({0.002, 0.002236, 0.001}));
+}
+
 TEST(CandidatesJson, LastDigitsOfTheComputerDoNotShow) {
     DetectionRecord record = sampleRecord();
     CandidateSet candidates = *record.candidates;

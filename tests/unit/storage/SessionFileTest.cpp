@@ -54,6 +54,20 @@ TEST(SessionFile, ABadAlignmentIsKeptWithoutCandidates) {
     EXPECT_TRUE(session->verify().intact);
 }
 
+TEST(SessionFile, ThePosesOfAnAmbiguousAlignmentAreKept) {
+    const test::TemporaryFolder folder;
+    const auto session = SessionFile::create(folder.file("a.fodscope"), test::sampleHeader());
+    Inspection inspection(session->load(), *session);
+    DetectionResult ambiguous;
+    ambiguous.registration = test::sampleDetection().registration;
+    ambiguous.registration.quality = RegistrationQuality::Ambiguous;
+    ambiguous.registration.alternatives.push_back({transformFromPose({4.0, 3.0, -2.4}), 0.009, 0.93, 0.86});
+    ambiguous.registration.uncertainty->looseDirections.emplace_back(1.0, 0.0, 0.0);
+    inspection.adoptDetection(Parameters(), ambiguous);
+    expectEqual(session->load(), inspection.state());
+    EXPECT_EQ(session->load().detection->registration.alternatives.size(), 1u);
+}
+
 TEST(SessionFile, WorkGoesOnAfterReopening) {
     const test::TemporaryFolder folder;
     {
