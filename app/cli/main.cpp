@@ -25,6 +25,8 @@ void addCommands(CLI::App& program, fodscope::cli::Run& run) {
     addVerifyCommand(program, run);
     addEvaluateCommand(program, run);
     addTuneCommand(program, run);
+    addCompareCommand(program, run);
+    addAgreementCommand(program, run);
     addParamsCommand(program, run);
 }
 

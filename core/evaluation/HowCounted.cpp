@@ -61,6 +61,9 @@ std::vector<std::string> howCounted(const Evaluation& evaluation) {
         "charged 7.5 m in the cost and in the distance error (" +
         std::to_string(summary.chargedFods) + " FOD here).");
     lines.push_back("Plus-minus is the standard deviation (n - 1) over trials, for the distance error over FOD.");
+    lines.push_back(
+        "A registration's corner error is its greatest displacement of a corner of the reference's bounds against the "
+        "stored T_cad_from_map; it says nothing where the reference is not in the CAD's frame.");
     lines.push_back("Recall at 0.15 m and 0.30 m: share of FOD with a candidate at most so far away, over all trials.");
     sayPhotos(summary, lines);
     return lines;

@@ -25,9 +25,11 @@ PixelBox boxOf(const VisibleObject& object) {
 }  // namespace
 
 GroundTruthLabeller::GroundTruthLabeller(std::shared_ptr<const World> world, bool builtin)
-    : world_(std::move(world)),
-      raycaster_(*world_),
-      name_(builtin ? "built-in world's ground truth" : "world's ground truth") {}
+    : world_(std::move(world)), raycaster_(*world_), name_(nameFor(builtin)) {}
+
+std::string GroundTruthLabeller::nameFor(bool builtin) {
+    return builtin ? "built-in world's ground truth" : "world's ground truth";
+}
 
 std::vector<VisibleFod> GroundTruthLabeller::fodOn(const Photo& photo) const {
     const Transform T_world_from_camera = world_->T_map_from_world.inverse() * photo.T_map_from_camera;

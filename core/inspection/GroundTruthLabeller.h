@@ -39,6 +39,7 @@ class GroundTruthLabeller {
     GroundTruthLabeller(std::shared_ptr<const World> world, bool builtin);
 
     /// "built-in world's ground truth" or "world's ground truth"
+    static std::string nameFor(bool builtin);
     const std::string& name() const { return name_; }
 
     /// @return the FOD that the photo's camera sees from where it stood, in the world's order

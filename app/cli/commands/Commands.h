@@ -15,6 +15,8 @@ void addInspectCommand(CLI::App& program, Run& run);
 void addReportCommand(CLI::App& program, Run& run);
 void addVerifyCommand(CLI::App& program, Run& run);
 void addEvaluateCommand(CLI::App& program, Run& run);
+void addCompareCommand(CLI::App& program, Run& run);
+void addAgreementCommand(CLI::App& program, Run& run);
 void addParamsCommand(CLI::App& program, Run& run);
 
 }  // namespace fodscope::cli
