@@ -159,6 +159,17 @@ TEST_F(Evaluate, RefusesWhatItCannotWorkWith) {
     EXPECT_FALSE(std::filesystem::exists(folder_ / "e.json"));
 }
 
+TEST_F(Evaluate, RefusesAWorldThatIsNotTheTrials) {
+    const std::filesystem::path worlds = builtinTrials().worlds();
+    const TestFolder swapped;
+    std::filesystem::create_symlink(worlds / "trial_01", swapped / "trial_01");
+    for (const char* name : {"trial_00.json", "trial_01.json"})
+        std::filesystem::copy_file(worlds / "trial_01.json", swapped / name);
+    expectRefused(runCli(evaluate("e.json", {"--photos", "--worlds", swapped.path().string()})),
+                  "which the trial's ground truth lists");
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "e.json"));
+}
+
 TEST_F(Evaluate, AnInterruptEndsItAndLeavesNothingBehind) {
     Program program(evaluate("e.json"));
     while (program.isRunning() && !program.hearsInterrupts())
