@@ -16,6 +16,11 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
     InteractionStyle InteractionWidgets IOImage RenderingAnnotation RenderingCore RenderingFreeType RenderingLabel
     RenderingOpenGL2)
 
+# PCL's own CMake package pulls VTK into every PCL target. Only the modules that need no VTK are used,
+# so they are taken from pkg-config, and core stays free of VTK.
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(PCL REQUIRED IMPORTED_TARGET pcl_common)
+
 if(FODSCOPE_BUILD_TESTS)
     find_package(GTest REQUIRED)
 endif()

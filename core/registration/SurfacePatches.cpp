@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/registration/SurfacePatches.h"
 
-#include <Eigen/Eigenvalues>
+#include <pcl/common/centroid.h>
+#include <pcl/common/eigen.h>
+#include <pcl/point_types.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,31 +28,39 @@ std::vector<Eigen::Vector3d> voxelMeans(std::span<const Eigen::Vector3d> points,
     return voxelGrid(points, origin, {voxelSize_m}).points;
 }
 
+/// Floats suffice for PCL's points because they are near the origin, wherever the cloud lies.
+pcl::PointCloud<pcl::PointXYZ> pclPoints(std::span<const Eigen::Vector3d> points, const Eigen::Vector3d& origin) {
+    pcl::PointCloud<pcl::PointXYZ> cloud;
+    cloud.reserve(points.size());
+    for (const Eigen::Vector3d& point : points) {
+        const Eigen::Vector3f local = (point - origin).cast<float>();
+        cloud.emplace_back(local.x(), local.y(), local.z());
+    }
+    return cloud;
+}
+
+/// The plane through the neighbours that are within reach, from PCL's covariance and eigenvectors in double.
 SurfacePatch patchFrom(const Eigen::Vector3d& centre, std::span<const Neighbour> neighbours,
-                       const std::vector<Eigen::Vector3d>& points, double reach_m) {
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    std::size_t count = 0;
+                       const pcl::PointCloud<pcl::PointXYZ>& points, const Eigen::Vector3d& origin, double reach_m) {
+    pcl::Indices near;
     for (const Neighbour& neighbour : neighbours) {
         if (neighbour.squaredDistance_m2 > reach_m * reach_m) break;
-        mean += points[neighbour.index];
-        ++count;
+        near.push_back(static_cast<pcl::index_t>(neighbour.index));
     }
     SurfacePatch patch;
     patch.centre = centre;
-    if (count < 4) return patch;
-    mean /= static_cast<double>(count);
-    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-    for (std::size_t i = 0; i < count; ++i) {
-        const Eigen::Vector3d away = points[neighbours[i].index] - mean;
-        scatter += away * away.transpose();
-    }
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-    solver.computeDirect(scatter);
-    const Eigen::Vector3d& spread = solver.eigenvalues();
+    if (near.size() < 4) return patch;
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    Eigen::Vector4d mean = Eigen::Vector4d::Zero();
+    pcl::computeMeanAndCovarianceMatrix(points, near, covariance, mean);
+    Eigen::Matrix3d directions;
+    Eigen::Vector3d spread;
+    pcl::eigen33(covariance, directions, spread);
     if (!(spread[1] > 0.0)) return patch;
-    patch.normal = solver.eigenvectors().col(0).normalized();
+    patch.normal = directions.col(0).normalized();
     // The voxel's own mean may lie off the plane by its noise; the plane through all is steadier.
-    patch.centre = centre - patch.normal * patch.normal.dot(centre - mean);
+    const Eigen::Vector3d middle = origin + mean.head<3>();
+    patch.centre = centre - patch.normal * patch.normal.dot(centre - middle);
     patch.planarity = std::clamp(1.0 - kEdgeRatio * spread[0] / spread[1], 0.0, 1.0);
     return patch;
 }
@@ -76,10 +87,12 @@ SurfacePatches::SurfacePatches(std::span<const Eigen::Vector3d> points, double v
       index_(centres_),
       patches_(centres_.size()) {
     Progress inner([&](const std::string&, double) { progress.throwIfCancelled(); });
+    const Eigen::Vector3d origin = 0.5 * (minimumCorner(centres_) + maximumCorner(centres_));
+    const pcl::PointCloud<pcl::PointXYZ> cloud = pclPoints(centres_, origin);
     index_.forEachKNearest(
         centres_, kNeighbours,
         [&](std::size_t i, std::span<const Neighbour> neighbours) {
-            patches_[i] = patchFrom(centres_[i], neighbours, centres_, kReach_voxels * voxelSize_m_);
+            patches_[i] = patchFrom(centres_[i], neighbours, cloud, origin, kReach_voxels * voxelSize_m_);
         },
         inner, "surfaces");
 }
