@@ -154,12 +154,34 @@ TEST(BadReference, DamagedOnesAreRefused) {
     }
 }
 
+TEST(BadReference, CountsThatAreNoneAreRefused) {
+    TestFolder folder;
+    const std::filesystem::path file = folder / "reference.ply";
+    writeFile(file, std::string("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                                "property float z\nproperty int occupancy\nend_header\n"
+                                "0 0 0 4\n1 0 0 -4\n0 1 1 4\n"));
+    expectRefused(runCli({"detect", "--reference", file.string(), "--map", roomFiles().map(), "--metric", "euclidean",
+                          "--out", (folder / "out").string()}),
+                  file.string(), "occupancy of point 2");
+}
+
 TEST(BadMesh, IsRefused) {
     TestFolder folder;
     const std::filesystem::path mesh = folder / "tank.stl";
     writeFile(mesh, "solid but empty");
     expectRefused(runCli({"reference", "--cad", mesh.string(), "--out", (folder / "r.ply").string()}), mesh.string(),
                   "");
+}
+
+TEST(BadMesh, WithCoordinatesThatAreNotFiniteIsRefused) {
+    TestFolder folder;
+    const std::filesystem::path mesh = folder / "tank.obj";
+    for (const char* bad : {"nan", "inf", "1e999"}) {
+        writeFile(mesh, std::string("v 0 0 0\nv 1 0 0\nv 0 ") + bad + " 0\nf 1 2 3\n");
+        expectRefused(runCli({"reference", "--cad", mesh.string(), "--out", (folder / "r.ply").string()}),
+                      mesh.string(), "");
+        EXPECT_FALSE(std::filesystem::exists(folder / "r.ply"));
+    }
 }
 
 TEST(BadTransform, IsRefused) {
