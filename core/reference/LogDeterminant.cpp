@@ -17,12 +17,12 @@ std::vector<double> logDeterminants(const ReferenceMap& reference) {
     return values;
 }
 
-std::optional<ValueRange> heatMapRange(std::span<const double> values) {
+std::optional<HeatMapRange> heatMapRange(std::span<const double> values) {
     std::vector<double> known;
     for (const double value : values)
         if (std::isfinite(value)) known.push_back(value);
     if (known.empty()) return std::nullopt;
-    return ValueRange{quantileOf(known, 0.10), quantileOf(known, 0.90)};
+    return HeatMapRange{quantileOf(known, 0.10), quantileOf(known, 0.90)};
 }
 
 }  // namespace fodscope

@@ -13,17 +13,17 @@ namespace fodscope {
 ///         the reference has no covariances
 std::vector<double> logDeterminants(const ReferenceMap& reference);
 
-struct ValueRange {
+struct HeatMapRange {
     double low = 0.0;
     double high = 0.0;
 
-    bool operator==(const ValueRange&) const = default;
+    bool operator==(const HeatMapRange&) const = default;
 };
 
 /// The range that a heat map of these values is clamped to. Paper: "the minimum value clamped to 10th percentile and
 /// the maximum value clamped to 90th percentile" (numpy.percentile's interpolation).
 /// @param values NaN where nothing is known, which does not count
 /// @return empty when no value is known
-std::optional<ValueRange> heatMapRange(std::span<const double> values);
+std::optional<HeatMapRange> heatMapRange(std::span<const double> values);
 
 }  // namespace fodscope

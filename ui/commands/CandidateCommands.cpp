@@ -137,4 +137,23 @@ bool PaperSettingsCommand::isAvailable() const {
            parameters.candidates != usualCandidateSettings(parameters.candidates.metric, parameters);
 }
 
+TuningCommand::TuningCommand(CommandContext& context)
+    : Command(context, QStringLiteral("candidate.tune"), QObject::tr("Find parameters from trials…")) {
+    setPicture(Icon::Histogram);
+    setKeys({QKeySequence(QStringLiteral("Ctrl+Shift+F"))});
+    setToolTip(QObject::tr("Tries thousands of settings on maps with known FOD and shows what each costs"));
+}
+
+void TuningCommand::run() {
+    navigation().showTuning();
+}
+
+bool TuningCommand::isAvailable() const {
+    return controller().isOpen() && controller().state().reference;
+}
+
+QString TuningCommand::obstacle() const {
+    return QObject::tr("load a reference first");
+}
+
 }  // namespace fodscope

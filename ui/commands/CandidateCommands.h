@@ -55,4 +55,12 @@ class PaperSettingsCommand : public Command {
     bool isAvailable() const override;
 };
 
+class TuningCommand : public Command {
+  public:
+    explicit TuningCommand(CommandContext& context);
+    void run() override;
+    bool isAvailable() const override;
+    QString obstacle() const override;
+};
+
 }  // namespace fodscope

@@ -11,6 +11,8 @@ Command::Command(CommandContext& context, const QString& id, const QString& text
 
 void Command::refresh() {
     setEnabled(isAvailable());
+    // Buttons follow the action's changes, and the reason may change while it stays disabled.
+    setWhatsThis(isEnabled() ? QString() : obstacle());
 }
 
 }  // namespace fodscope

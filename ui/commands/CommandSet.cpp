@@ -24,11 +24,11 @@ std::vector<MenuPlan> menus() {
              {"session.new", "session.builtin", "session.open", "", "session.close", "", "session.quit"}},
             {QObject::tr("&Edit"), {"edit.undo", "edit.redo", "", "settings.all", "", "task.cancel", "view.leave"}},
             {QObject::tr("&View"),
-             {"step.1", "step.2", "step.3", "step.4", "step.5", "step.6", "", "view.fit", "reference.heatmap", "",
-              "view.theme"}},
+             {"step.1", "step.2", "step.3", "step.4", "step.5", "step.6", "", "view.fit", "reference.heatmap",
+              "map.residuals", "", "view.theme"}},
             {QObject::tr("&Map"),
-             {"reference.mesh", "reference.load", "reference.nominal", "", "map.load", "map.transform", "map.register",
-              "", "map.detect"}},
+             {"reference.nominal", "reference.meshmaps", "reference.mesh", "reference.load", "reference.again", "",
+              "map.load", "map.start", "map.transform", "map.register", "", "map.detect"}},
             {QObject::tr("&Candidates"),
              {"candidate.next", "candidate.previous", "candidate.fly", "", "metric.mahalanobis", "metric.euclidean",
               "metric.chi-square", "candidate.paper", "", "threshold.down", "threshold.up", "threshold.down.coarse",
@@ -74,11 +74,15 @@ CommandSet::CommandSet(CommandContext context, QObject* parent) : QObject(parent
     add<RedoCommand>();
     add<CancelTaskCommand>();
     add<LoadMeshCommand>();
+    add<LoadMeshAndMapsCommand>();
     add<LoadReferenceCommand>();
+    add<RemakeReferenceCommand>();
     add<LoadNominalMapsCommand>();
     add<LoadMapCommand>();
     add<LoadTransformCommand>();
+    add<StartPoseCommand>();
     add<ForgetTransformCommand>();
+    add<ResidualsCommand>();
     add<DetectCommand>();
     add<HeatMapCommand>();
     add<NeighbourCandidateCommand>(+1);
@@ -91,6 +95,7 @@ CommandSet::CommandSet(CommandContext context, QObject* parent) : QObject(parent
     add<UseMetricCommand>(Metric::Euclidean);
     add<UseMetricCommand>(Metric::ChiSquare);
     add<PaperSettingsCommand>();
+    add<TuningCommand>();
     add<LoadGridCommand>();
     add<ConnectWorldRobotCommand>();
     add<ConnectBuiltinRobotCommand>();
@@ -120,7 +125,7 @@ CommandSet::CommandSet(CommandContext context, QObject* parent) : QObject(parent
                               &InspectionController::candidatesChanged, &InspectionController::planChanged,
                               &InspectionController::visitsChanged, &InspectionController::robotChanged,
                               &InspectionController::decisionsChanged, &InspectionController::historyChanged,
-                              &InspectionController::stepsChanged})
+                              &InspectionController::residualsChanged, &InspectionController::stepsChanged})
         connect(&controller, signal, this, &CommandSet::refreshAll);
     connect(&controller, &InspectionController::selectionChanged, this, &CommandSet::refreshAll);
     refreshAll();

@@ -30,6 +30,52 @@ void LoadMeshCommand::run() {
     controller().loadReference(request);
 }
 
+QString InputCommand::obstacle() const {
+    return controller().isOpen() ? tr("the visits have begun, so the candidates are frozen")
+                                 : tr("open an inspection first");
+}
+
+LoadMeshAndMapsCommand::LoadMeshAndMapsCommand(CommandContext& context)
+    : InputCommand(context, QStringLiteral("reference.meshmaps"), QObject::tr("From a CAD mesh and maps…")) {
+    setPicture(Icon::Cube);
+    setToolTip(
+        QObject::tr("Samples the surface of a mesh, and gives the samples covariances from maps without debris"));
+}
+
+void LoadMeshAndMapsCommand::run() {
+    const QString mesh = files().openFile(window(), QObject::tr("Mesh of the tank without debris"), meshFilter());
+    if (mesh.isEmpty()) return;
+    const QStringList maps =
+        files().openFiles(window(), QObject::tr("Nominal maps that give the mesh covariances"), cloudFilter());
+    if (maps.isEmpty()) return;
+    ReferenceRequest request;
+    request.kind = ReferenceKind::CadAndMaps;
+    request.files = {mesh.toStdString()};
+    request.meshScale = controller().meshScale();
+    for (const QString& map : maps)
+        request.covarianceMaps.push_back(map.toStdString());
+    controller().loadReference(request);
+}
+
+RemakeReferenceCommand::RemakeReferenceCommand(CommandContext& context)
+    : InputCommand(context, QStringLiteral("reference.again"), QObject::tr("Make the reference again")) {
+    setPicture(Icon::Retry);
+    setToolTip(QObject::tr("From the same files, with the settings as they are now"));
+}
+
+void RemakeReferenceCommand::run() {
+    controller().remakeReference();
+}
+
+bool RemakeReferenceCommand::isAvailable() const {
+    return InputCommand::isAvailable() && controller().canRemakeReference();
+}
+
+QString RemakeReferenceCommand::obstacle() const {
+    return InputCommand::isAvailable() ? tr("no reference was made from maps since the program started")
+                                       : InputCommand::obstacle();
+}
+
 LoadReferenceCommand::LoadReferenceCommand(CommandContext& context)
     : InputCommand(context, QStringLiteral("reference.load"), QObject::tr("From a reference map…")) {
     setPicture(Icon::Cloud);
@@ -88,14 +134,63 @@ void LoadTransformCommand::run() {
 ForgetTransformCommand::ForgetTransformCommand(CommandContext& context)
     : InputCommand(context, QStringLiteral("map.register"), QObject::tr("Align by search again")) {
     setPicture(Icon::Retry);
+    setToolTip(QObject::tr("Forgets the given transform or start pose and searches all poses"));
 }
 
 void ForgetTransformCommand::run() {
-    controller().clearGivenTransform();
+    controller().alignBySearch();
 }
 
 bool ForgetTransformCommand::isAvailable() const {
-    return InputCommand::isAvailable() && controller().hasGivenTransform();
+    return InputCommand::isAvailable() && (controller().hasGivenTransform() || controller().hasStartPose());
+}
+
+StartPoseCommand::StartPoseCommand(CommandContext& context)
+    : InputCommand(context, QStringLiteral("map.start"), QObject::tr("Known start pose…")) {
+    setPicture(Icon::Pin);
+    setToolTip(QObject::tr("Aligns from where the robot is known to have started, typed or from a file"));
+}
+
+void StartPoseCommand::run() {
+    navigation().askStartPose();
+}
+
+bool StartPoseCommand::isAvailable() const {
+    return InputCommand::isAvailable() && controller().state().reference && controller().state().mapSource;
+}
+
+QString StartPoseCommand::obstacle() const {
+    return controller().candidatesAreFrozen() ? QObject::tr("the visits have begun")
+                                              : QObject::tr("load a reference and a map first");
+}
+
+ResidualsCommand::ResidualsCommand(CommandContext& context)
+    : Command(context, QStringLiteral("map.residuals"), QObject::tr("Colour by residual")) {
+    setCheckable(true);
+    setPicture(Icon::Contrast);
+    setKeys({QKeySequence(QStringLiteral("Ctrl+Shift+R"))});
+    setToolTip(
+        QObject::tr("How far off the map has each region of the reference, in millimetres: red lies inwards, blue "
+                    "outwards, striped was not observed"));
+}
+
+void ResidualsCommand::run() {
+    navigation().showResiduals(isChecked());
+}
+
+bool ResidualsCommand::isAvailable() const {
+    return controller().residuals() != nullptr;
+}
+
+QString ResidualsCommand::obstacle() const {
+    return QObject::tr("align a map with the reference first");
+}
+
+void ResidualsCommand::refresh() {
+    Command::refresh();
+    if (isAvailable() || !isChecked()) return;
+    setChecked(false);
+    run();
 }
 
 DetectCommand::DetectCommand(CommandContext& context)
@@ -112,7 +207,11 @@ void DetectCommand::run() {
 HeatMapCommand::HeatMapCommand(CommandContext& context)
     : Command(context, QStringLiteral("reference.heatmap"), QObject::tr("Colour by covariance")) {
     setCheckable(true);
-    setToolTip(QObject::tr("How much the nominal maps vary at each point of the reference"));
+    setPicture(Icon::Contrast);
+    setKeys({QKeySequence(QStringLiteral("Ctrl+H"))});
+    setToolTip(
+        QObject::tr("How much the nominal maps vary at each point: log determinant of its covariance, from its "
+                    "10th to its 90th percentile; points without training are striped"));
 }
 
 void HeatMapCommand::run() {
@@ -121,6 +220,19 @@ void HeatMapCommand::run() {
 
 bool HeatMapCommand::isAvailable() const {
     return controller().state().reference && controller().state().reference->hasCovariance();
+}
+
+QString HeatMapCommand::obstacle() const {
+    return controller().state().reference ? QObject::tr("this reference has no covariances")
+                                          : QObject::tr("there is no reference yet");
+}
+
+void HeatMapCommand::refresh() {
+    Command::refresh();
+    // What is shown is plain again when the inspection is closed or its reference has nothing to colour by.
+    if (isAvailable() || !isChecked()) return;
+    setChecked(false);
+    run();
 }
 
 }  // namespace fodscope

@@ -10,12 +10,28 @@ class InputCommand : public Command {
   public:
     using Command::Command;
     bool isAvailable() const override { return controller().isOpen() && !controller().candidatesAreFrozen(); }
+    QString obstacle() const override;
 };
 
 class LoadMeshCommand : public InputCommand {
   public:
     explicit LoadMeshCommand(CommandContext& context);
     void run() override;
+};
+
+/// A mesh for the points, and nominal maps for their covariances.
+class LoadMeshAndMapsCommand : public InputCommand {
+  public:
+    explicit LoadMeshAndMapsCommand(CommandContext& context);
+    void run() override;
+};
+
+class RemakeReferenceCommand : public InputCommand {
+  public:
+    explicit RemakeReferenceCommand(CommandContext& context);
+    void run() override;
+    bool isAvailable() const override;
+    QString obstacle() const override;
 };
 
 class LoadReferenceCommand : public InputCommand {
@@ -49,6 +65,24 @@ class ForgetTransformCommand : public InputCommand {
     bool isAvailable() const override;
 };
 
+class StartPoseCommand : public InputCommand {
+  public:
+    explicit StartPoseCommand(CommandContext& context);
+    void run() override;
+    bool isAvailable() const override;
+    QString obstacle() const override;
+};
+
+/// Colours the reference by how far off the map has each of its regions.
+class ResidualsCommand : public Command {
+  public:
+    explicit ResidualsCommand(CommandContext& context);
+    void run() override;
+    bool isAvailable() const override;
+    QString obstacle() const override;
+    void refresh() override;
+};
+
 class DetectCommand : public InputCommand {
   public:
     explicit DetectCommand(CommandContext& context);
@@ -60,6 +94,8 @@ class HeatMapCommand : public Command {
     explicit HeatMapCommand(CommandContext& context);
     void run() override;
     bool isAvailable() const override;
+    QString obstacle() const override;
+    void refresh() override;
 };
 
 }  // namespace fodscope

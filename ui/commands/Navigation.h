@@ -14,6 +14,11 @@ class Navigation {
     virtual Step currentStep() const = 0;
     /// Moves the threshold by steps of the step's slider, as a key press on it would.
     virtual void stepThreshold(int steps, bool coarse) = 0;
+    /// Asks where the map begins in the reference.
+    virtual void askStartPose() = 0;
+    virtual void showResiduals(bool shown) = 0;
+    /// Opens the search for parameters.
+    virtual void showTuning() = 0;
     /// Opens all settings of the inspection.
     virtual void showSettings() = 0;
     virtual void toggleShortcuts() = 0;

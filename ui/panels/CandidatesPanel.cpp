@@ -2,11 +2,13 @@
 #include "ui/panels/CandidatesPanel.h"
 
 #include <QComboBox>
+#include <QFormLayout>
 #include <QHBoxLayout>
 #include <cmath>
 
 #include "ui/commands/CommandSet.h"
 #include "ui/panels/Format.h"
+#include "ui/session/ParameterUse.h"
 #include "ui/widgets/Card.h"
 #include "ui/widgets/NumberReadout.h"
 #include "ui/widgets/ThresholdHistogram.h"
@@ -60,6 +62,17 @@ CandidatesPanel::CandidatesPanel(InspectionController& controller, const Command
     body->addLayout(numbers);
 
     auto* discrepancy = new Card(tr("Discrepancy"), this);
+    auto* presetRow = new QHBoxLayout;
+    presetRow->addWidget(new QLabel(tr("Preset"), discrepancy));
+    preset_ = new QComboBox(discrepancy);
+    preset_->setObjectName(QStringLiteral("candidates.preset"));
+    for (const std::string& name : presetNames())
+        preset_->addItem(QString::fromStdString(name), QString::fromStdString(name));
+    preset_->addItem(tr("own values"), QString());
+    preset_->setToolTip(
+        tr("All settings of the detection at once, smoothing and clustering among them; can be undone"));
+    presetRow->addWidget(preset_, 1);
+    discrepancy->body()->addLayout(presetRow);
     auto* metricRow = new QHBoxLayout;
     metricRow->setSpacing(0);
     for (const char* id : {"metric.mahalanobis", "metric.euclidean", "metric.chi-square"})
@@ -82,23 +95,32 @@ CandidatesPanel::CandidatesPanel(InspectionController& controller, const Command
     cutoff_ = new ValueSlider(tr("Cluster cutoff"),
                               {0.02, kCutoffMaximum_m, 0.005, 0.05, QStringLiteral("cm"), 100.0, 1}, clusters);
     cutoff_->setObjectName(QStringLiteral("slider.cutoff"));
-    cutoff_->setHelp(tr("Clusters whose centroids are at most this far apart are one candidate."));
+    cutoff_->setHelp(tr("Clusters that are at most this far apart are one candidate."));
     leastPoints_ =
         new ValueSlider(tr("Least points"), {0.0, kLeastPointsMaximum, 1.0, 10.0, tr("voxels"), 1.0, 0}, clusters);
     leastPoints_->setObjectName(QStringLiteral("slider.leastPoints"));
     leastPoints_->setHelp(tr("Candidates with fewer voxels are dropped."));
-    auto* centroidRow = new QHBoxLayout;
-    auto* centroidLabel = new QLabel(tr("Centroid"), clusters);
+    linkage_ = new QComboBox(clusters);
+    linkage_->setObjectName(QStringLiteral("candidates.linkage"));
+    linkage_->addItem(tr("between centroids"), static_cast<int>(Linkage::Centroid));
+    linkage_->addItem(tr("between nearest voxels"), static_cast<int>(Linkage::Single));
+    linkage_->setToolTip(
+        tr("From where to where the distance of two clusters is taken: centroid linkage keeps objects "
+           "apart, single linkage joins chains of voxels"));
     centroid_ = new QComboBox(clusters);
     centroid_->setObjectName(QStringLiteral("candidates.centroid"));
+    centroid_->setToolTip(tr("Where a candidate is said to be"));
     centroid_->addItem(tr("plain mean"), static_cast<int>(CentroidKind::Plain));
     centroid_->addItem(tr("weighted by discrepancy"), static_cast<int>(CentroidKind::DiscrepancyWeighted));
-    centroid_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    centroidRow->addWidget(centroidLabel);
-    centroidRow->addWidget(centroid_, 1);
+    auto* choices = new QFormLayout;
+    choices->setHorizontalSpacing(12);
+    choices->addRow(tr("Distance"), linkage_);
+    choices->addRow(tr("Centroid"), centroid_);
+    for (QComboBox* box : {preset_, linkage_, centroid_})
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     clusters->body()->addWidget(cutoff_);
     clusters->body()->addWidget(leastPoints_);
-    clusters->body()->addLayout(centroidRow);
+    clusters->body()->addLayout(choices);
     clusters->body()->addWidget(commands.makeButton(QStringLiteral("candidate.paper"), clusters));
     frozen_ = makeText(tr("Frozen: the visits have begun, so candidates keep their ids."), TextRole::Muted, clusters);
     clusters->body()->addWidget(frozen_);
@@ -122,7 +144,9 @@ CandidatesPanel::CandidatesPanel(InspectionController& controller, const Command
         threshold_->setValue(value);
         commit();
     });
-    connect(centroid_, QOverload<int>::of(&QComboBox::activated), this, &CandidatesPanel::commit);
+    for (QComboBox* box : {linkage_, centroid_})
+        connect(box, QOverload<int>::of(&QComboBox::activated), this, &CandidatesPanel::commit);
+    connect(preset_, QOverload<int>::of(&QComboBox::activated), this, &CandidatesPanel::usePreset);
     connect(&controller, &InspectionController::sessionChanged, this, &CandidatesPanel::refreshField);
     connect(&controller, &InspectionController::detectionChanged, this, &CandidatesPanel::refreshField);
     connect(&controller, &InspectionController::parametersChanged, this, &CandidatesPanel::refreshField);
@@ -177,13 +201,17 @@ void CandidatesPanel::refreshSettings() {
         histogram_->setThreshold(kept.threshold);
         cutoff_->setValue(kept.clusterCutoff_m);
         leastPoints_->setValue(kept.minimumPoints);
+        linkage_->setCurrentIndex(linkage_->findData(static_cast<int>(kept.linkage)));
         centroid_->setCurrentIndex(centroid_->findData(static_cast<int>(kept.centroid)));
     }
+    preset_->setCurrentIndex(
+        preset_->findData(QString::fromStdString(detectionPresetOf(controller_.state().parameters))));
     const bool frozen = controller_.candidatesAreFrozen();
     frozen_->setVisible(frozen);
     for (QWidget* widget :
          {static_cast<QWidget*>(threshold_), static_cast<QWidget*>(cutoff_), static_cast<QWidget*>(leastPoints_),
-          static_cast<QWidget*>(centroid_), static_cast<QWidget*>(histogram_)})
+          static_cast<QWidget*>(linkage_), static_cast<QWidget*>(centroid_), static_cast<QWidget*>(preset_),
+          static_cast<QWidget*>(histogram_)})
         widget->setEnabled(!frozen);
 }
 
@@ -210,8 +238,18 @@ CandidateSettings CandidatesPanel::settings() const {
     settings.threshold = threshold_->value();
     settings.clusterCutoff_m = cutoff_->value();
     settings.minimumPoints = static_cast<int>(std::lround(leastPoints_->value()));
+    settings.linkage = static_cast<Linkage>(linkage_->currentData().toInt());
     settings.centroid = static_cast<CentroidKind>(centroid_->currentData().toInt());
     return settings;
+}
+
+void CandidatesPanel::usePreset() {
+    const std::string name = preset_->currentData().toString().toStdString();
+    if (!name.empty())
+        controller_.applyParameters(
+            withDetectionPreset(controller_.state().parameters, name,
+                                controller_.state().reference && controller_.state().reference->hasCovariance()));
+    refreshSettings();
 }
 
 void CandidatesPanel::preview() {

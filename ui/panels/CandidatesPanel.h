@@ -30,6 +30,7 @@ class CandidatesPanel : public PanelColumn {
     void refreshCounts();
     void applyRanges(const Parameters& parameters);
     CandidateSettings settings() const;
+    void usePreset();
     void preview();
     void commit();
 
@@ -42,6 +43,8 @@ class CandidatesPanel : public PanelColumn {
     ValueSlider* threshold_ = nullptr;
     ValueSlider* cutoff_ = nullptr;
     ValueSlider* leastPoints_ = nullptr;
+    QComboBox* preset_ = nullptr;
+    QComboBox* linkage_ = nullptr;
     QComboBox* centroid_ = nullptr;
     QLabel* note_ = nullptr;
     QLabel* frozen_ = nullptr;

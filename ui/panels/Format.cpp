@@ -61,6 +61,21 @@ QString placeText(const Eigen::Vector3d& point) {
     return QStringLiteral("%1, %2, %3 m").arg(number(point.x(), 2), number(point.y(), 2), number(point.z(), 2));
 }
 
+QString spreadText(double logDeterminant) {
+    return millimetres(std::exp(logDeterminant / 6.0), 1);
+}
+
+QString originText(const Pose2& pose) {
+    return QStringLiteral("x %1 m, y %2 m, yaw %3°")
+        .arg(number(pose.x_m, 2), number(pose.y_m, 2), number(degreesFromRadians(pose.yaw_rad), 0));
+}
+
+QString deviationText(const Eigen::Vector3d& deviation, double displayFactor, const QString& unit, int decimals) {
+    return QStringLiteral("± %1, %2, %3 %4")
+        .arg(number(deviation.x() * displayFactor, decimals), number(deviation.y() * displayFactor, decimals),
+             number(deviation.z() * displayFactor, decimals), unit);
+}
+
 QString discrepancyText(double value, Metric metric) {
     if (!std::isfinite(value)) return words("not known");
     return metric == Metric::Euclidean ? millimetres(value, 1) : number(value, 2);

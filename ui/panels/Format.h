@@ -22,6 +22,13 @@ QString count(std::size_t number);
 QString sizeText(const Eigen::Vector3d& size_m);
 /// "1.23, 0.40, 0.06 m"
 QString placeText(const Eigen::Vector3d& point);
+/// The standard deviation that a covariance with this log determinant has in the (geometric) mean over directions:
+/// exp(log det / 6), as "8.2 mm".
+QString spreadText(double logDeterminant);
+/// "x 1.23 m, y 0.40 m, yaw 87°"
+QString originText(const Pose2& pose);
+/// "± 3, 2, 1 mm" for a deviation along x, y and z
+QString deviationText(const Eigen::Vector3d& deviation, double displayFactor, const QString& unit, int decimals);
 /// A discrepancy in the metric's own unit: "4.2" or "45 mm".
 QString discrepancyText(double value, Metric metric);
 /// "1 photo", "4 photos"

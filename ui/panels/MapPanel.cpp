@@ -3,6 +3,8 @@
 
 #include "ui/commands/CommandSet.h"
 #include "ui/panels/Format.h"
+#include "ui/panels/PoseList.h"
+#include "ui/panels/ResidualCard.h"
 #include "ui/widgets/Card.h"
 #include "ui/widgets/StatusChip.h"
 
@@ -14,6 +16,30 @@ QString spacingWarning(double spacing_m) {
     if (spacing_m < 0.02) return {};
     return QObject::tr("Objects under %1 may be missing: the map's spacing is %2.")
         .arg(centimetres(2.0 * spacing_m, 0), centimetres(spacing_m));
+}
+
+struct QualityWords {
+    StatusKind kind = StatusKind::Neutral;
+    QString chip;
+    /// What can be done; empty when nothing has to be.
+    QString remedy;
+};
+
+QualityWords qualityWords(RegistrationQuality quality) {
+    switch (quality) {
+        case RegistrationQuality::Given:
+            return {StatusKind::Clear, QObject::tr("given"), {}};
+        case RegistrationQuality::Good:
+            return {StatusKind::Clear, QObject::tr("aligned"), {}};
+        case RegistrationQuality::Ambiguous:
+            return {StatusKind::Attention, QObject::tr("several poses fit"),
+                    QObject::tr("No candidates are claimed until one of the poses is chosen.")};
+        case RegistrationQuality::Bad:
+            break;
+    }
+    return {StatusKind::Finding, QObject::tr("not aligned"),
+            QObject::tr("No candidates are claimed from this alignment. Load the right reference or map, or give a "
+                        "known start pose or transform.")};
 }
 
 }  // namespace
@@ -43,12 +69,15 @@ MapPanel::MapPanel(InspectionController& controller, const CommandSet& commands,
     measures_ = new FieldList(alignment_);
     alignment_->body()->addWidget(sentence_);
     alignment_->body()->addWidget(remedy_);
+    poses_ = new PoseList(controller, alignment_);
+    alignment_->body()->addWidget(poses_);
     alignment_->body()->addWidget(measures_);
     auto* detect = commands.makeButton(QStringLiteral("map.detect"), alignment_, ButtonRole::Primary);
     alignment_->body()->addWidget(detect);
-    for (const char* id : {"map.transform", "map.register"})
+    for (const char* id : {"map.start", "map.transform", "map.register"})
         alignment_->body()->addWidget(commands.makeButton(QString::fromLatin1(id), alignment_));
     column()->addWidget(alignment_);
+    column()->addWidget(new ResidualCard(controller, commands, this));
     column()->addStretch();
 
     for (const auto signal : {&InspectionController::sessionChanged, &InspectionController::mapChanged,
@@ -94,25 +123,31 @@ void MapPanel::refreshAlignment() {
                            : !state.mapSource ? tr("Load the map first.")
                                               : tr("Not aligned yet."));
         remedy_->hide();
+        poses_->setChoices({});
         measures_->setFields(std::vector<std::pair<QString, QString>>{});
         return;
     }
     const RegistrationResult& registration = state.detection->registration;
-    const bool bad = !isTrusted(registration.quality);
-    const bool ambiguous = registration.quality == RegistrationQuality::Ambiguous;
-    quality_->setStatus(bad ? StatusKind::Finding : StatusKind::Clear,
-                        ambiguous                                            ? tr("several poses fit")
-                        : bad                                                ? tr("not aligned")
-                        : registration.quality == RegistrationQuality::Given ? tr("given")
-                                                                             : tr("aligned"));
+    const QualityWords words = qualityWords(registration.quality);
+    quality_->setStatus(words.kind, words.chip);
     sentence_->setText(QString::fromStdString(registration.summary));
-    remedy_->setVisible(bad);
-    remedy_->setText(tr(
-        "No candidates are claimed from this alignment. Load the right reference or map, or give a known transform."));
+    remedy_->setVisible(!words.remedy.isEmpty());
+    remedy_->setText(words.remedy);
+    poses_->setChoices(poseChoices(registration));
     std::vector<std::pair<QString, QString>> measures;
     if (state.detection->coverage)
         measures.emplace_back(tr("Observed"),
                               tr("%1 of the reference").arg(observedText(state.detection->coverage->observedShare)));
+    if (registration.uncertainty) {
+        const PoseUncertainty& known = *registration.uncertainty;
+        measures.emplace_back(tr("Position"),
+                              deviationText(known.positionDeviation_m(), 1000.0, tr("mm (x, y, z)"), 1));
+        measures.emplace_back(
+            tr("Turn"), deviationText(known.angleDeviation_rad(), kDegreesPerRadian, tr("° (roll, pitch, yaw)"), 2));
+        if (known.isLoose()) measures.emplace_back(tr("Not held"), QString::fromStdString(looseInWords(known)));
+    }
+    if (isTrusted(registration.quality) || registration.quality == RegistrationQuality::Ambiguous)
+        measures.emplace_back(tr("Map origin at"), originText(poseFromTransform(registration.T_reference_from_map)));
     measures_->setFields(measures);
 }
 

@@ -8,6 +8,7 @@ namespace fodscope {
 class Card;
 class CommandSet;
 class InspectionController;
+class PoseList;
 class StatusChip;
 
 /// Step 2: the map under inspection and how it lies on the reference.
@@ -31,6 +32,7 @@ class MapPanel : public PanelColumn {
     QLabel* sentence_ = nullptr;
     QLabel* remedy_ = nullptr;
     FieldList* measures_ = nullptr;
+    PoseList* poses_ = nullptr;
 };
 
 }  // namespace fodscope

@@ -3,8 +3,11 @@
 
 #include <QComboBox>
 #include <algorithm>
+#include <cmath>
 
+#include "core/reference/LogDeterminant.h"
 #include "ui/commands/CommandSet.h"
+#include "ui/panels/CovarianceCard.h"
 #include "ui/panels/Format.h"
 #include "ui/widgets/Card.h"
 
@@ -22,17 +25,23 @@ std::vector<std::pair<QString, QString>> factsOf(const InspectionState& state) {
         facts.emplace_back(QObject::tr("Covariances"), QObject::tr("no: only the Euclidean discrepancy is known"));
         return facts;
     }
-    facts.emplace_back(QObject::tr("Covariances"), QObject::tr("yes"));
     std::size_t samples = 0;
     for (const std::int32_t n : reference.sampleCount)
         samples += static_cast<std::size_t>(std::max(n, 0));
     if (samples > 0) facts.emplace_back(QObject::tr("Samples"), count(samples));
-    const auto untrained = std::count(reference.untrained.begin(), reference.untrained.end(), std::uint8_t{1});
+    const auto values = logDeterminants(reference);
+    const auto untrained =
+        static_cast<std::size_t>(std::ranges::count_if(values, [](double value) { return std::isnan(value); }));
+    if (const auto range = heatMapRange(values))
+        facts.emplace_back(
+            QObject::tr("Maps vary by"),
+            QObject::tr("%1 to %2 (8 of 10 points)").arg(spreadText(range->low), spreadText(range->high)));
     facts.emplace_back(
-        QObject::tr("Untrained"),
-        untrained == 0
-            ? QObject::tr("none")
-            : QObject::tr("%1 points, no Mahalanobis there").arg(count(static_cast<std::size_t>(untrained))));
+        QObject::tr("Without training"),
+        untrained == 0 ? QObject::tr("none")
+                       : QObject::tr("%1 points (%2): no Mahalanobis there")
+                             .arg(count(untrained),
+                                  percent(static_cast<double>(untrained) / static_cast<double>(reference.size()), 1)));
     return facts;
 }
 
@@ -45,7 +54,7 @@ ReferencePanel::ReferencePanel(InspectionController& controller, const CommandSe
     hint_ = makeText(tr("What the space looks like without debris. Drop files here, or choose one of these."),
                      TextRole::Muted, source);
     source->body()->addWidget(hint_);
-    for (const char* id : {"reference.nominal", "reference.load", "reference.mesh"})
+    for (const char* id : {"reference.nominal", "reference.meshmaps", "reference.mesh", "reference.load"})
         source->body()->addWidget(commands.makeButton(QString::fromLatin1(id), source));
     auto* unitRow = new QHBoxLayout;
     auto* unitLabel = new QLabel(tr("Meshes are in"), source);
@@ -69,6 +78,7 @@ ReferencePanel::ReferencePanel(InspectionController& controller, const CommandSe
     facts_->body()->addWidget(made_);
     facts_->body()->addWidget(commands.makeButton(QStringLiteral("reference.heatmap"), facts_));
     column()->addWidget(facts_);
+    column()->addWidget(new CovarianceCard(controller, commands, this));
     column()->addStretch();
 
     connect(meshUnit_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,

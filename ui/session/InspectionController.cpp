@@ -128,14 +128,14 @@ void InspectionController::adoptSession(std::shared_ptr<SessionFile> file, Inspe
     closeSession();
     session_ = std::move(file);
     inspection_ = std::make_unique<Inspection>(std::move(state), *session_);
-    if (const auto& detection = this->state().detection)
-        startPose_ = detection->registration.start_T_reference_from_map;
     refreshVerdicts();
-    if (const auto& opened = this->state(); opened.plan)
-        visits_.setPlan(*opened.plan, resumable(opened.visits), opened.parameters.visits);
+    const InspectionState& opened = this->state();
+    if (opened.plan) visits_.setPlan(*opened.plan, resumable(opened.visits), opened.parameters.visits);
     RecentSessions().add(sessionPath());
+    if (opened.detection) start_ = opened.detection->registration.start_T_reference_from_map;
     emit sessionChanged();
     emit stepsChanged();
+    refreshResiduals();
 }
 
 void InspectionController::closeSession() {
@@ -151,7 +151,11 @@ void InspectionController::closeSession() {
     pipeline_ = std::make_shared<DetectionPipeline>();
     map_.reset();
     givenTransform_.reset();
-    startPose_.reset();
+    start_.reset();
+    lastReference_.reset();
+    previewedPose_.reset();
+    residuals_.reset();
+    residualsOf_.reset();
     settingsWithCovariances_.reset();
     robotStart_.reset();
     givenGrid_.reset();
@@ -208,7 +212,7 @@ void InspectionController::keepParameters(const Parameters& parameters, const st
         visits_.setPlan(*state().plan, resumable(state().visits), parameters.visits);
     if (state().plan && !sameFor(ParameterUse::Plan, parameters, before))
         emit noticeRaised(tr("The plan was made with the settings before. Plan the visits again."));
-    if (!sameFor(ParameterUse::Reference, parameters, before))
+    if (!sameFor(ParameterUse::Reference, parameters, before) && state().reference)
         emit noticeRaised(tr("These settings count for the next reference that is made."));
     if (afterwards) afterwards();
 }

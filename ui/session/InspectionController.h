@@ -9,6 +9,7 @@
 
 #include "core/inspection/Inspection.h"
 #include "core/inspection/ReportModel.h"
+#include "core/registration/RegionResiduals.h"
 #include "ui/session/CandidatePreview.h"
 #include "ui/session/MapLoading.h"
 #include "ui/session/ReferenceSources.h"
@@ -49,7 +50,11 @@ class InspectionController : public QObject {
     void createBuiltinTank(const QString& file);
 
     // --- reference and map -------------------------------------------------------------------------------------------
+    /// The inspection's parameters say how it is made.
     void loadReference(const ReferenceRequest& request);
+    /// Makes the last reference again from the same files, with the parameters as they are now.
+    void remakeReference();
+    bool canRemakeReference() const { return lastReference_.has_value(); }
     /// Metres in one unit of the meshes that are loaded next.
     double meshScale() const { return meshScale_; }
     void setMeshScale(double scale) { meshScale_ = scale; }
@@ -57,11 +62,21 @@ class InspectionController : public QObject {
     const std::optional<LoadedMap>& loadedMap() const { return map_; }
     /// A 4×4 transform, reference from map, from a CSV file replaces the registration.
     void loadGivenTransform(const QString& csvFile);
-    void clearGivenTransform();
     bool hasGivenTransform() const { return givenTransform_.has_value(); }
-    /// Aligns the map again from a start pose: one of the poses of an ambiguous alignment, or one that is known. Empty:
-    /// all poses are searched again.
-    void alignFrom(const std::optional<Transform>& start_T_reference_from_map);
+    /// Aligns from a known start pose instead of searching all poses; also chooses one of several that fit.
+    void setStartPose(const Transform& T_reference_from_map);
+    /// Where the map's origin lies in the reference; the floors are laid on each other.
+    void setStartPose(const Pose2& mapOrigin_reference);
+    /// The start pose from a 4×4 CSV file.
+    void loadStartPose(const QString& csvFile);
+    bool hasStartPose() const { return start_.has_value(); }
+    /// Forgets a given transform and a start pose, and searches all poses.
+    void alignBySearch();
+    /// Shows the map at a pose without keeping it; empty: where it is.
+    void previewPose(const std::optional<Transform>& T_reference_from_map);
+    const std::optional<Transform>& previewedPose() const { return previewedPose_; }
+    /// What is left between map and reference, region by region; null until it was measured.
+    std::shared_ptr<const RegionResiduals> residuals() const { return residuals_; }
     /// Aligns the map, measures the discrepancy and finds candidates.
     void detect();
     void setParameters(const Parameters& parameters);
@@ -90,6 +105,7 @@ class InspectionController : public QObject {
     void selectNeighbour(int step);
     /// Selects it and asks the views to fly there.
     void flyToCandidate(const QString& id);
+    void flyToPlace(const Eigen::Vector3d& centre_reference, double radius_m);
 
     /// What the operator pointed at in a view: names and values, ready to be read; empty: nothing.
     const std::vector<ReportField>& probe() const { return probe_; }
@@ -158,6 +174,9 @@ class InspectionController : public QObject {
     void selectionChanged(const QString& candidateId);
     void probeChanged();
     void flyToRequested(const QString& candidateId);
+    void flyToPlaceRequested(const Eigen::Vector3d& centre_reference, double radius_m);
+    void posePreviewChanged();
+    void residualsChanged();
     void planChanged();
     void visitsChanged();
     void robotChanged();
@@ -186,6 +205,7 @@ class InspectionController : public QObject {
     void adoptBuiltinRobot(const BuiltinInspection& builtin);
     void adoptMap(const SourceFile& source, const LoadedMap& map);
     void afterInputChanged();
+    void refreshResiduals();
     void adoptCandidates(const Parameters& parameters, const DetectionResult& result);
     /// Detects with parameters that become those of the inspection when it succeeds.
     void detectWith(const Parameters& parameters, const std::function<void()>& afterwards);
@@ -208,9 +228,15 @@ class InspectionController : public QObject {
     std::unique_ptr<Inspection> inspection_;
     std::shared_ptr<DetectionPipeline> pipeline_;
     double meshScale_ = 1.0;
+    /// What the reference was made from in this run of the program, where covariances were fitted.
+    std::optional<ReferenceRequest> lastReference_;
     std::optional<LoadedMap> map_;
     std::optional<Transform> givenTransform_;
-    std::optional<Transform> startPose_;
+    std::optional<Transform> start_;
+    std::optional<Transform> previewedPose_;
+    std::shared_ptr<const RegionResiduals> residuals_;
+    /// The discrepancy that they belong to.
+    std::shared_ptr<const DiscrepancyField> residualsOf_;
     /// What was chosen before a reference without covariances took Mahalanobis away.
     std::optional<CandidateSettings> settingsWithCovariances_;
     std::shared_ptr<const CandidateSet> preview_;

@@ -52,18 +52,29 @@ PreviewRequest previewRequest(const InspectionState& state, const CandidateSetti
 
 }  // namespace
 
-void InspectionController::loadReference(const ReferenceRequest& request) {
+void InspectionController::remakeReference() {
+    if (lastReference_) loadReference(*lastReference_);
+}
+
+void InspectionController::loadReference(const ReferenceRequest& wanted) {
     if (!inspection_) return;
+    ReferenceRequest request = wanted;
+    request.parameters = state().parameters;
     runFor(Step::Reference, tr("loading the reference: %1").arg(fileNames(request)),
            [this, request](Progress& progress) -> TaskRunner::Adopt {
                const LoadedReference loaded = makeReference(request, progress);
-               return [this, loaded] { adoptReference(loaded); };
+               return [this, request, loaded] {
+                   lastReference_.reset();
+                   if (request.kind == ReferenceKind::NominalMaps || request.kind == ReferenceKind::CadAndMaps)
+                       lastReference_ = request;
+                   adoptReference(loaded);
+               };
            });
 }
 
 void InspectionController::adoptReference(const LoadedReference& loaded) {
     inspection_->setReference(loaded.source, loaded.reference);
-    startPose_.reset();
+    start_.reset();
     chooseMetricFor(*loaded.reference);
     afterInputChanged();
     emit referenceChanged();
@@ -95,6 +106,7 @@ void InspectionController::afterInputChanged() {
     history_.clear();
     if (!state().plan) visits_.clearPlan();
     refreshVerdicts();
+    refreshResiduals();
     if (!selected_.isEmpty() && findShownCandidate(selected_) == nullptr) selectCandidate(QString());
     emit historyChanged();
     emit detectionChanged();
@@ -115,8 +127,8 @@ void InspectionController::loadMap(const QString& file) {
 
 void InspectionController::adoptMap(const SourceFile& source, const LoadedMap& map) {
     inspection_->setMap(source);
-    startPose_.reset();
     map_ = map;
+    start_.reset();
     robotGrid_.reset();
     afterInputChanged();
     emit mapChanged();
@@ -127,18 +139,6 @@ void InspectionController::loadGivenTransform(const QString& csvFile) {
     const bool read = attempt([&] { givenTransform_ = readTransformCsv(csvFile.toStdString()); });
     if (!read) return;
     emit mapChanged();
-    if (state().reference && state().mapSource) detect();
-}
-
-void InspectionController::clearGivenTransform() {
-    if (!givenTransform_) return;
-    givenTransform_.reset();
-    emit mapChanged();
-    if (state().reference && state().mapSource) detect();
-}
-
-void InspectionController::alignFrom(const std::optional<Transform>& start_T_reference_from_map) {
-    startPose_ = start_T_reference_from_map;
     if (state().reference && state().mapSource) detect();
 }
 
@@ -159,7 +159,7 @@ void InspectionController::detectWith(const Parameters& parameters, const std::f
     runFor(Step::Map, tr("detecting"),
            [this, reread, parameters, afterwards, pipeline = pipeline_, reference = state().reference,
             source = *state().mapSource, given = givenTransform_,
-            start = startPose_](Progress& progress) -> TaskRunner::Adopt {
+            start = start_](Progress& progress) -> TaskRunner::Adopt {
                if (!*reread) *reread = rereadMap(source, progress);
                pipeline->setReference(reference);
                pipeline->setMap((*reread)->cloud);
@@ -181,6 +181,7 @@ void InspectionController::adoptCandidates(const Parameters& parameters, const D
     inspection_->adoptDetection(parameters, result);
     preview_.reset();
     previewer_.drop();
+    previewPose(std::nullopt);
     visits_.clearPlan();
     refreshVerdicts();
     if (!selected_.isEmpty() && findShownCandidate(selected_) == nullptr) selectCandidate(QString());
@@ -190,6 +191,7 @@ void InspectionController::adoptCandidates(const Parameters& parameters, const D
     emit planChanged();
     emit visitsChanged();
     emit stepsChanged();
+    refreshResiduals();
 }
 
 bool InspectionController::candidatesAreFrozen() const {

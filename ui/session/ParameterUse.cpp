@@ -20,4 +20,30 @@ bool sameFor(ParameterUse use, const Parameters& a, const Parameters& b) {
     });
 }
 
+namespace {
+
+Parameters inMetric(Parameters parameters, Metric metric) {
+    if (parameters.candidates.metric != metric) parameters.candidates = usualCandidateSettings(metric, parameters);
+    return parameters;
+}
+
+}  // namespace
+
+std::string detectionPresetOf(const Parameters& parameters) {
+    for (const std::string& name : presetNames())
+        if (sameFor(ParameterUse::Detection, inMetric(presetParameters(name), parameters.candidates.metric),
+                    parameters))
+            return name;
+    return {};
+}
+
+Parameters withDetectionPreset(const Parameters& parameters, const std::string& preset, bool hasCovariance) {
+    Parameters wanted = presetParameters(preset);
+    if (!hasCovariance && wanted.candidates.metric == Metric::Mahalanobis) wanted = inMetric(wanted, Metric::Euclidean);
+    Parameters result = parameters;
+    for (const ParameterField& field : parameterTable())
+        if (useOf(field.section) == ParameterUse::Detection) field.set(result, field.get(wanted));
+    return result;
+}
+
 }  // namespace fodscope

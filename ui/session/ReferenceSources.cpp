@@ -11,11 +11,13 @@
 namespace fodscope {
 namespace {
 
-ReferenceMap fromNominalMaps(const ReferenceRequest& request, Progress& progress) {
+NominalMapsRequest nominalMaps(const ReferenceRequest& request, const std::vector<std::filesystem::path>& files) {
     NominalMapsRequest maps;
-    maps.maps = request.files;
-    maps.mean = request.mean;
-    return referenceFromMapFiles(maps, progress);
+    maps.maps = files;
+    maps.meshScale = request.meshScale;
+    maps.mean = meanReferenceSettings(request.parameters);
+    maps.registration = request.parameters.registration;
+    return maps;
 }
 
 ReferenceMap readReady(const std::filesystem::path& file, Progress& progress) {
@@ -29,24 +31,34 @@ SourceFile sourceOf(const ReferenceRequest& request, const ReferenceMap& referen
     SourceFile source;
     source.points = reference.size();
     source.path = request.files.front().string();
-    if (request.files.size() == 1) {
-        source.sha256 = sha256OfFile(request.files.front());
+    std::vector<std::filesystem::path> all = request.files;
+    all.insert(all.end(), request.covarianceMaps.begin(), request.covarianceMaps.end());
+    if (all.size() == 1) {
+        source.sha256 = sha256OfFile(all.front());
         return source;
     }
-    source.path += " and " + std::to_string(request.files.size() - 1) + " more nominal maps";
+    source.path += " and " + std::to_string(all.size() - 1) + " more nominal maps";
+    if (!request.covarianceMaps.empty())
+        source.path =
+            request.files.front().string() + " with " + std::to_string(request.covarianceMaps.size()) + " nominal maps";
     std::string hashes;
-    for (const auto& file : request.files)
+    for (const auto& file : all)
         hashes += sha256OfFile(file) + "\n";
     source.sha256 = sha256(std::string_view(hashes));
     return source;
 }
 
 ReferenceMap referenceOf(const ReferenceRequest& request, Progress& progress) {
+    CadReferenceSettings cad;
+    cad.spacing_m = request.parameters.reference.cadSpacing_m;
     switch (request.kind) {
         case ReferenceKind::Cad:
-            return referenceFromMeshFile(request.files.front(), request.meshScale, request.cad, progress);
+            return referenceFromMeshFile(request.files.front(), request.meshScale, cad, progress);
+        case ReferenceKind::CadAndMaps:
+            return referenceFromMeshAndMapFiles(request.files.front(), cad,
+                                                nominalMaps(request, request.covarianceMaps), progress);
         case ReferenceKind::NominalMaps:
-            return fromNominalMaps(request, progress);
+            return referenceFromMapFiles(nominalMaps(request, request.files), progress);
         case ReferenceKind::Ready:
             break;
     }
@@ -67,13 +79,20 @@ LoadedReference makeReference(const ReferenceRequest& request, Progress& progres
 
 ReferenceRequest requestFor(const std::vector<std::filesystem::path>& files) {
     ReferenceRequest request;
+    std::vector<std::filesystem::path> meshes;
+    std::vector<std::filesystem::path> maps;
+    for (const auto& file : files)
+        (isMeshFile(file) ? meshes : maps).push_back(file);
     request.files = files;
-    if (files.size() > 1)
+    if (meshes.size() == 1 && !maps.empty()) {
+        request.kind = ReferenceKind::CadAndMaps;
+        request.files = meshes;
+        request.covarianceMaps = maps;
+    } else if (files.size() > 1) {
         request.kind = ReferenceKind::NominalMaps;
-    else if (files.size() == 1 && isMeshFile(files.front()))
-        request.kind = ReferenceKind::Cad;
-    else
-        request.kind = ReferenceKind::Ready;
+    } else {
+        request.kind = meshes.size() == 1 ? ReferenceKind::Cad : ReferenceKind::Ready;
+    }
     return request;
 }
 

@@ -14,6 +14,7 @@ namespace fodscope {
 
 enum class ReferenceKind {
     Cad,         ///< a mesh, sampled
+    CadAndMaps,  ///< a mesh, sampled, with covariances from maps without FOD
     Ready,       ///< a reference map made earlier, or any cloud without covariances
     NominalMaps  ///< maps without FOD: their mean, with covariances
 };
@@ -22,13 +23,15 @@ enum class ReferenceKind {
 struct ReferenceRequest {
     ReferenceKind kind = ReferenceKind::Ready;
     std::vector<std::filesystem::path> files;
+    /// Those that give a mesh its covariances.
+    std::vector<std::filesystem::path> covarianceMaps;
     /// Metres in one unit of the mesh.
     double meshScale = 1.0;
-    CadReferenceSettings cad;
-    MeanReferenceSettings mean;
+    /// How it is made: spacing, voxels, denoising, covariances, registration.
+    Parameters parameters;
 };
 
-/// @return the request that the files themselves suggest: one mesh, one reference, or several maps
+/// @return the request that the files themselves suggest: one mesh, a mesh with maps, one reference, or several maps
 ReferenceRequest requestFor(const std::vector<std::filesystem::path>& files);
 
 struct LoadedReference {

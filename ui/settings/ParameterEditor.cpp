@@ -43,6 +43,10 @@ ParameterEditor::ParameterEditor(const ParameterField& field, QWidget* parent) :
         if (field.kind == ParameterKind::OptionalNumber) line_->setPlaceholderText(tr("none"));
         connect(line_, &QLineEdit::textEdited, this, &ParameterEditor::edited);
     }
+    if (tick_ != nullptr) connect(tick_, &QCheckBox::clicked, this, [this] { emit committed(text()); });
+    if (choice_ != nullptr)
+        connect(choice_, QOverload<int>::of(&QComboBox::activated), this, [this] { emit committed(text()); });
+    if (line_ != nullptr) connect(line_, &QLineEdit::editingFinished, this, [this] { emit committed(text()); });
     control->setAccessibleName(parameterName(field));
     control->setToolTip(parameterHelp(field));
     setFocusProxy(control);

@@ -26,7 +26,10 @@ class ParameterEditor : public QWidget {
     void setInvalid(bool invalid);
 
   signals:
+    /// While typing.
     void edited(const QString& text);
+    /// When a choice was made or the line was left or confirmed.
+    void committed(const QString& text);
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -12,6 +12,7 @@
 #include <QScrollBar>
 #include <QStyle>
 #include <QVBoxLayout>
+#include <QVariant>
 #include <algorithm>
 
 #include "core/common/Files.h"

@@ -10,8 +10,8 @@ TuningOutcome runTuning(const TuningRequest& request, Progress& progress) {
     if (request.search.metric == Metric::ChiSquare)
         measuring.candidates = usualCandidateSettings(Metric::ChiSquare, measuring);
     if (!outcome.measured)
-        outcome.measured = std::make_shared<const MeasuredTrials>(
-            measureTrials(request.reference, readTrials(request.folder), measuring, progress));
+        outcome.measured = std::make_shared<const MeasuredTrials>(measureTrials(
+            request.reference, readTrials(request.folder), measuring, TrialPlacement::Registered, progress));
     outcome.inEffect = request.parameters.candidates;
     outcome.costInEffect = costOf(outcome.measured->trials, outcome.inEffect, request.search.lambda_m, progress);
     outcome.result = searchParameters(outcome.measured->trials, request.search, progress);

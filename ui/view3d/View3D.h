@@ -10,6 +10,7 @@
 #include <QWidget>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -55,6 +56,8 @@ struct ScalarStyle {
     bool reachesBelow = false;
     /// What the legend calls points without a value; empty: "not known".
     QString unknownWord;
+    /// What the pointer reads of a value; empty: the number with its unit.
+    std::function<QString(double)> describe;
     /// Draws points without a value in full, in stripes, instead of faintly: where nothing is known matters as much.
     bool stripesUnknown = false;
     /// Values strictly greater are drawn larger and in full colour, others dimmed. Empty: all alike.

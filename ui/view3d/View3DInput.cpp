@@ -161,7 +161,10 @@ QString View3D::Impl::describe(const PickedPoint& point) const {
     if (!value) return {};
     const PointValues* legend = scene.legend();
     if (legend == nullptr) return {};
-    if (std::isnan(*value)) return View3D::tr("%1: not known").arg(legend->style.title);
+    const ScalarStyle& style = legend->style;
+    if (std::isnan(*value))
+        return style.unknownWord.isEmpty() ? View3D::tr("%1: not known").arg(style.title) : style.unknownWord;
+    if (style.describe) return style.describe(*value);
     const QString number = QLocale().toString(*value * legend->style.displayFactor, 'f', legend->style.decimals);
     return legend->style.unit.isEmpty() ? number : number + QChar(0x202F) + legend->style.unit;
 }

@@ -145,6 +145,10 @@ void Centre::setHeatMap(bool shown) {
     sceneBinding_->setHeatMap(shown);
 }
 
+void Centre::setResiduals(bool shown) {
+    sceneBinding_->setResiduals(shown);
+}
+
 void Centre::fitViews() {
     view_->fit();
     plan_->fit();

@@ -35,6 +35,7 @@ class Centre : public QWidget {
     LabellingView& labelling() { return *labelling_; }
     StartPage& startPage() { return *start_; }
     void setHeatMap(bool shown);
+    void setResiduals(bool shown);
     void fitViews();
 
   protected:

@@ -30,10 +30,12 @@
 #include "ui/panels/ReferencePanel.h"
 #include "ui/panels/ReportPanel.h"
 #include "ui/panels/StartPage.h"
+#include "ui/panels/StartPoseDialog.h"
 #include "ui/panels/StatusStrip.h"
 #include "ui/panels/VisitPanel.h"
 #include "ui/session/RecentSessions.h"
 #include "ui/settings/SettingsDialog.h"
+#include "ui/tuning/TuningDialog.h"
 #include "ui/widgets/Toast.h"
 #include "ui/window/Centre.h"
 #include "ui/window/FileDrop.h"
@@ -101,6 +103,8 @@ MainWindow::MainWindow(InspectionController& controller, FileDialogs& files, QWi
 MainWindow::~MainWindow() {
     qApp->removeEventFilter(this);
     delete settings_;
+    delete tuning_;
+    delete startPose_;
     // What is hidden while it goes must not be remembered as closed by the operator.
     for (QDockWidget* dock : {stepDock_, evidenceDock_, tableDock_})
         dock->disconnect(this);
@@ -262,6 +266,23 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
 
 void MainWindow::stepThreshold(int steps, bool coarse) {
     candidatesPanel_->stepThreshold(steps, coarse);
+}
+
+void MainWindow::askStartPose() {
+    if (!startPose_) startPose_ = new StartPoseDialog(controller_, files_, this);
+    startPose_->open();
+}
+
+void MainWindow::showResiduals(bool shown) {
+    if (shown) showStep(Step::Map);
+    centre_->setResiduals(shown);
+}
+
+void MainWindow::showTuning() {
+    if (!tuning_) tuning_ = new TuningDialog(controller_, files_, this);
+    tuning_->show();
+    tuning_->raise();
+    tuning_->activateWindow();
 }
 
 void MainWindow::showSettings() {

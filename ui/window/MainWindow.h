@@ -19,8 +19,10 @@ class CommandSet;
 class ManualWindow;
 class SettingsDialog;
 class ShortcutsOverlay;
+class StartPoseDialog;
 class TitleRow;
 class Toast;
+class TuningDialog;
 
 /// Places the panels as docks round the centre and switches them with the step. What the panels do is theirs.
 class MainWindow : public QMainWindow, private Navigation {
@@ -43,6 +45,9 @@ class MainWindow : public QMainWindow, private Navigation {
 
   private:
     void stepThreshold(int steps, bool coarse) override;
+    void askStartPose() override;
+    void showResiduals(bool shown) override;
+    void showTuning() override;
     void showSettings() override;
     void toggleShortcuts() override;
     void showManual() override;
@@ -81,6 +86,8 @@ class MainWindow : public QMainWindow, private Navigation {
     /// Made when they are first asked for.
     ManualWindow* manual_ = nullptr;
     SettingsDialog* settings_ = nullptr;
+    TuningDialog* tuning_ = nullptr;
+    StartPoseDialog* startPose_ = nullptr;
     bool placingDocks_ = false;
     bool followsPhotos_ = false;
 };

@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "ui/window/SceneBinding.h"
 
-#include <Eigen/LU>
+#include <QLocale>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "core/reference/Covariance.h"
+#include "core/reference/LogDeterminant.h"
 #include "ui/panels/Format.h"
+#include "ui/window/ReferenceColours.h"
 
 namespace fodscope {
 namespace {
 
 constexpr double kStaleAfter_s = 2.0;
-
-/// Half the logarithm of the determinant to the third: the logarithm of a mean standard deviation.
-std::vector<double> spreadOf(const ReferenceMap& reference) {
-    std::vector<double> spread_m(reference.size(), std::numeric_limits<double>::quiet_NaN());
-    for (std::size_t i = 0; i < reference.size(); ++i)
-        spread_m[i] = std::pow(std::max(0.0, reference.covariance[i].determinant()), 1.0 / 6.0);
-    return spread_m;
-}
 
 std::vector<Eigen::Vector3d> pointsOf(const DiscrepancyField& field, const Candidate& candidate) {
     std::vector<Eigen::Vector3d> points;
@@ -37,6 +31,19 @@ StatusKind stateOf(const InspectionController& controller, const std::string& ca
 
 ReportField field(const QString& name, const QString& value) {
     return {name.toStdString(), value.toStdString()};
+}
+
+void addTraining(const ReferenceMap& reference, std::size_t index, std::vector<ReportField>& fields) {
+    if (index < reference.sampleCount.size())
+        fields.push_back(
+            field(QObject::tr("Samples"), count(static_cast<std::size_t>(std::max(0, reference.sampleCount[index])))));
+    const bool untrained = index < reference.untrained.size() && reference.untrained[index] != 0;
+    const double value = untrained ? std::nan("") : logDeterminant(reference.covariance[index]);
+    fields.push_back(field(QObject::tr("Maps vary by"), std::isnan(value) ? QObject::tr("not known: without training")
+                                                                          : spreadText(value)));
+    if (!std::isnan(value))
+        fields.push_back(
+            field(QObject::tr("log det Σ"), QObject::tr("%1 (Σ in m²)").arg(QLocale().toString(value, 'f', 1))));
 }
 
 }  // namespace
@@ -79,6 +86,12 @@ SceneBinding::SceneBinding(InspectionController& controller, View3D& view, QObje
     connect(&controller, &InspectionController::robotChanged, this, &SceneBinding::showRobot);
     connect(&controller, &InspectionController::selectionChanged, &view, &View3D::setSelectedCandidate);
     connect(&controller, &InspectionController::flyToRequested, &view, &View3D::flyToCandidate);
+    connect(&controller, &InspectionController::flyToPlaceRequested, &view, &View3D::flyTo);
+    connect(&controller, &InspectionController::posePreviewChanged, this, &SceneBinding::showMap);
+    connect(&controller, &InspectionController::residualsChanged, this, [this] {
+        colourReference();
+        showLayers();
+    });
     connect(&view, &View3D::candidateSelected, &controller, &InspectionController::selectCandidate);
     connect(&view, &View3D::candidateActivated, &controller, &InspectionController::flyToCandidate);
     connect(&view, &View3D::waypointSelected, this, [this](const QString& id) {
@@ -94,14 +107,44 @@ SceneBinding::SceneBinding(InspectionController& controller, View3D& view, QObje
 
 void SceneBinding::setStep(Step step) {
     step_ = step;
+    colourReference();
+    showMap();
     showLayers();
+}
+
+void SceneBinding::setResiduals(bool shown) {
+    residuals_ = shown;
+    colourReference();
+    showLayers();
+}
+
+bool SceneBinding::showsResiduals() const {
+    return residuals_ && step_ == Step::Map && controller_.residuals();
 }
 
 void SceneBinding::setHeatMap(bool shown) {
     heatMap_ = shown;
-    shownReference_ = nullptr;
-    showReference();
+    colourReference();
     showLayers();
+}
+
+void SceneBinding::colourReference() {
+    const auto& reference = controller_.state().reference;
+    const bool showsHeat = heatMap_ && step_ == Step::Reference && reference && reference->hasCovariance();
+    std::shared_ptr<const void> wanted;
+    if (showsResiduals())
+        wanted = controller_.residuals();
+    else if (showsHeat)
+        wanted = reference;
+    if (wanted == colouredBy_) return;
+    colouredBy_ = wanted;
+    if (!wanted) {
+        view_.setReferenceValues({}, {});
+        return;
+    }
+    const ReferenceColours colours =
+        showsResiduals() ? residualColours(*controller_.residuals()) : covarianceColours(*reference);
+    view_.setReferenceValues(colours.values, colours.style);
 }
 
 void SceneBinding::refreshAll() {
@@ -110,6 +153,8 @@ void SceneBinding::refreshAll() {
     shownField_ = nullptr;
     fitted_ = false;
     heatMap_ = false;
+    residuals_ = false;
+    colouredBy_.reset();
     view_.clear();
     view_.setEmptyMessage(tr("Load a reference to begin: a CAD mesh, a reference map or nominal maps."));
     if (!controller_.isOpen()) return;
@@ -125,17 +170,8 @@ void SceneBinding::showReference() {
     if (!reference || reference.get() == shownReference_) return;
     shownReference_ = reference.get();
     view_.setReference(reference->points);
-    if (heatMap_ && reference->hasCovariance()) {
-        ScalarStyle style;
-        style.title = tr("Spread of maps");
-        style.unit = QStringLiteral("mm");
-        style.displayFactor = 1000.0;
-        style.decimals = 0;
-        style.maximum = 0.03;
-        view_.setReferenceValues(spreadOf(*reference), style);
-    } else {
-        view_.setReferenceValues({}, {});
-    }
+    colouredBy_.reset();
+    colourReference();
     if (!fitted_) {
         fitted_ = true;
         view_.setStandardView(StandardView::Isometric);
@@ -161,7 +197,8 @@ void SceneBinding::showMap() {
         shownMap_ = cloud;
         view_.setMap(cloud ? std::span<const Eigen::Vector3d>(cloud->points) : std::span<const Eigen::Vector3d>{});
     }
-    view_.setMapTransform(T_reference_from_map());
+    const auto& previewed = controller_.previewedPose();
+    view_.setMapTransform(previewed && step_ == Step::Map ? *previewed : T_reference_from_map());
     showLayers();
 }
 
@@ -248,9 +285,10 @@ void SceneBinding::showRobot() {
 
 void SceneBinding::showLayers() {
     const bool aligned = controller_.state().detection && controller_.state().detection->field;
-    const bool candidates = step_ != Step::Reference && aligned;
+    const bool residuals = showsResiduals();
+    const bool candidates = step_ != Step::Reference && aligned && !residuals;
     const bool driving = step_ == Step::Visit || step_ == Step::Label || step_ == Step::Report;
-    view_.setLayerVisible(ViewLayer::Reference, step_ == Step::Reference || !aligned);
+    view_.setLayerVisible(ViewLayer::Reference, step_ == Step::Reference || !aligned || residuals);
     view_.setLayerVisible(ViewLayer::Map, step_ == Step::Map && !aligned);
     view_.setLayerVisible(ViewLayer::Discrepancy, candidates);
     view_.setLayerVisible(ViewLayer::Candidates, candidates && step_ != Step::Map);
@@ -279,6 +317,10 @@ void SceneBinding::tellPoint(const PickedPoint& point) {
             fields.push_back(
                 field(tr("Chi-square"), discrepancyText(voxels.chiSquare[point.index], Metric::ChiSquare)));
     }
+    const auto& reference = controller_.state().reference;
+    if (point.layer == ViewLayer::Reference && reference && reference->hasCovariance() &&
+        point.index < reference->size())
+        addTraining(*reference, point.index, fields);
     if (!point.candidateId.isEmpty()) fields.push_back(field(tr("Candidate"), point.candidateId));
     controller_.setProbe(std::move(fields));
 }

@@ -20,10 +20,14 @@ class SceneBinding : public QObject {
     void setStep(Step step);
     /// Colours the reference by how much its covariances allow.
     void setHeatMap(bool shown);
+    /// Colours the reference by how far off the map has its regions, in the step of the map.
+    void setResiduals(bool shown);
 
   private:
     void refreshAll();
     void showReference();
+    void colourReference();
+    bool showsResiduals() const;
     void showMap();
     void showDetection();
     void showCandidates();
@@ -39,6 +43,9 @@ class SceneBinding : public QObject {
     View3D& view_;
     Step step_ = Step::Reference;
     bool heatMap_ = false;
+    bool residuals_ = false;
+    /// What the reference's colours were made from; null: it is plain.
+    std::shared_ptr<const void> colouredBy_;
     const ReferenceMap* shownReference_ = nullptr;
     const PointCloud* shownMap_ = nullptr;
     const DiscrepancyField* shownField_ = nullptr;

@@ -12,11 +12,25 @@
 #include "ui/session/CandidatePreview.h"
 #include "ui/session/MapLoading.h"
 #include "ui/session/RecentSessions.h"
+#include "ui/session/ReferenceSources.h"
 #include "ui/session/Steps.h"
 #include "ui/session/UndoHistory.h"
 
 namespace fodscope::test {
 namespace {
+
+TEST(ReferenceRequest, MeshWithMapsGivesTheMeshCovariances) {
+    QTemporaryDir folder;
+    const std::string mesh = folder.filePath("tank.stl").toStdString();
+    const std::string map = folder.filePath("map.pcd").toStdString();
+    const ReferenceRequest both = requestFor({map, mesh});
+    EXPECT_EQ(both.kind, ReferenceKind::CadAndMaps);
+    EXPECT_EQ(both.files, std::vector<std::filesystem::path>{mesh});
+    EXPECT_EQ(both.covarianceMaps, std::vector<std::filesystem::path>{map});
+    EXPECT_EQ(requestFor({mesh}).kind, ReferenceKind::Cad);
+    EXPECT_EQ(requestFor({map}).kind, ReferenceKind::Ready);
+    EXPECT_EQ(requestFor({map, map}).kind, ReferenceKind::NominalMaps);
+}
 
 TEST(UndoHistory, GoesBackAndForthInOrder) {
     UndoHistory history;

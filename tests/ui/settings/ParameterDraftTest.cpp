@@ -122,6 +122,22 @@ TEST(ParameterUse, SaysWhatHasToBeMadeAnew) {
     EXPECT_TRUE(sameFor(ParameterUse::Plan, preset(), other));
 }
 
+TEST(DetectionPreset, IsNamedWhateverTheMetricAndLeavesTheRestAlone) {
+    for (const std::string& name : presetNames()) {
+        Parameters parameters = preset();
+        parameters.visits.driveTimeout_s += 1;
+        const Parameters trained = withDetectionPreset(parameters, name, true);
+        EXPECT_EQ(detectionPresetOf(trained), name);
+        EXPECT_EQ(trained.visits, parameters.visits);
+        const Parameters plain = withDetectionPreset(parameters, name, false);
+        EXPECT_EQ(plain.candidates.metric, Metric::Euclidean);
+        EXPECT_EQ(detectionPresetOf(plain), name);
+    }
+    Parameters own = preset();
+    own.discrepancy.voxelSize_m = 0.033;
+    EXPECT_EQ(detectionPresetOf(own), "");
+}
+
 TEST(NearestPreset, IsTheOneThatTheRecordWasMadeFrom) {
     for (const std::string& name : presetNames()) {
         Parameters parameters = presetParameters(name);

@@ -111,6 +111,82 @@ TEST_F(Work, MovedThresholdCanBeUndoneAndRedone) {
     EXPECT_EQ(controller->state().parameters.candidates, moved);
 }
 
+TEST_F(Work, SettingsThatAreAppliedDetectAgainAndCanBeTakenBack) {
+    detectRoom();
+    const auto before = controller->state().detection->field;
+    run("settings.all");
+    auto* voxel = find("parameter.discrepancy.voxel_size_m")->findChild<QLineEdit*>();
+    ASSERT_NE(voxel, nullptr);
+    voxel->selectAll();
+    QTest::keyClicks(voxel, "0.04");
+    press("settings.apply");
+    ASSERT_TRUE(waitUntilIdle());
+    EXPECT_EQ(controller->state().detection->parameters.discrepancy.voxelSize_m, 0.04);
+    EXPECT_LT(controller->state().detection->field->size(), before->size());
+    run("edit.undo");
+    ASSERT_TRUE(waitUntilIdle());
+    EXPECT_EQ(controller->state().detection->field->size(), before->size());
+    EXPECT_TRUE(banner().isEmpty()) << qPrintable(banner());
+}
+
+TEST_F(Work, LinkageIsChosenInThePanel) {
+    detectRoom();
+    run("step.3");
+    auto* linkage = find<QComboBox>("candidates.linkage");
+    linkage->setCurrentIndex(linkage->findData(static_cast<int>(Linkage::Single)));
+    emit linkage->activated(linkage->currentIndex());
+    ASSERT_TRUE(waitUntilIdle());
+    EXPECT_EQ(controller->state().parameters.candidates.linkage, Linkage::Single);
+    run("edit.undo");
+    ASSERT_TRUE(waitUntilIdle());
+    EXPECT_EQ(controller->state().parameters.candidates.linkage, Linkage::Centroid);
+}
+
+TEST_F(Work, ResidualsAreToldAfterTheAlignment) {
+    detectRoom();
+    ASSERT_TRUE(controller->residuals());
+    EXPECT_FALSE(find<QLabel>("map.residuals.sentence")->text().isEmpty());
+    run("map.residuals");
+    EXPECT_EQ(window->currentStep(), Step::Map);
+    run("session.close");
+    EXPECT_FALSE(window->commands().find("map.residuals")->isChecked());
+    EXPECT_FALSE(window->commands().find("map.residuals")->isEnabled());
+}
+
+TEST_F(Work, KnownStartPoseIsUsedUntilItIsForgotten) {
+    detectRoom();
+    EXPECT_FALSE(window->commands().find("map.register")->isEnabled());
+    run("map.start");
+    find<QLineEdit>("startPose.x")->setText("0.1");
+    find<QLineEdit>("startPose.y")->setText("0");
+    find<QLineEdit>("startPose.yaw")->setText("2");
+    press("startPose.use");
+    ASSERT_TRUE(waitUntilIdle());
+    EXPECT_TRUE(controller->hasStartPose());
+    EXPECT_TRUE(controller->state().detection->registration.start_T_reference_from_map.has_value());
+    EXPECT_NE(controller->state().detection->registration.quality, RegistrationQuality::Bad);
+    run("map.register");
+    ASSERT_TRUE(waitUntilIdle());
+    EXPECT_FALSE(controller->state().detection->registration.start_T_reference_from_map.has_value());
+}
+
+TEST_F(Work, HeatMapIsForReferencesWithCovariances) {
+    detectRoom();
+    EXPECT_FALSE(window->commands().find("reference.heatmap")->isEnabled());
+    EXPECT_TRUE(find<QPushButton>("button.reference.heatmap")->toolTip().contains("no covariances"));
+    ReferenceMap trained = readReferenceMap(file("reference.ply").toStdString());
+    trained.covariance.assign(trained.size(), Eigen::Matrix3d::Identity() * 1e-4);
+    trained.untrained.assign(trained.size(), 0);
+    trained.untrained.front() = 1;
+    writeReferenceMap(file("trained.ply").toStdString(), trained);
+    files.next = file("trained.ply");
+    run("reference.load");
+    ASSERT_TRUE(waitUntilIdle());
+    run("reference.heatmap");
+    EXPECT_TRUE(find<QPushButton>("button.reference.heatmap")->isChecked());
+    EXPECT_TRUE(window->grab().width() > 0);
+}
+
 TEST_F(Work, PickedRowIsTheSelectionEverywhere) {
     detectRoom();
     run("step.3");

@@ -31,7 +31,7 @@ TEST(LogDeterminant, TheHeatMapIsClampedToThe10thAnd90thPercentile) {
     const std::vector<double> ten{3, 1, 4, 1, 5, 9, 2, 6, 5, 3, nan};
     EXPECT_DOUBLE_EQ(heatMapRange(ten)->low, 1.0);
     EXPECT_DOUBLE_EQ(heatMapRange(ten)->high, 6.3);
-    EXPECT_EQ(heatMapRange(std::vector<double>{2.5}), (ValueRange{2.5, 2.5}));
+    EXPECT_EQ(heatMapRange(std::vector<double>{2.5}), (HeatMapRange{2.5, 2.5}));
 }
 
 TEST(LogDeterminant, NothingKnownHasNoRange) {
