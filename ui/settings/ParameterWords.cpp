@@ -8,11 +8,12 @@
 namespace fodscope {
 namespace {
 
-constexpr std::array kUnitEndings = {"_m", "_s", "_deg", "_percent", "_cells", "_px"};
+constexpr std::array kUnitEndings = {"_m", "_m2", "_s", "_deg", "_percent", "_cells", "_px"};
 
 QString words(QString text) {
     text.replace(QLatin1Char('_'), QLatin1Char(' ')).replace(QLatin1Char('.'), QStringLiteral(": "));
     if (!text.isEmpty()) text[0] = text[0].toUpper();
+    if (text.startsWith(QLatin1String("Cad "))) text.replace(0, 3, QStringLiteral("CAD"));
     return QCoreApplication::translate("Parameters", text.toUtf8().constData());
 }
 
@@ -36,7 +37,8 @@ QString parameterName(const ParameterField& field) {
 }
 
 QString parameterUnit(const ParameterField& field, const Parameters& parameters) {
-    if (!field.unit.empty()) return QString::fromStdString(field.unit);
+    if (!field.unit.empty())
+        return QString::fromStdString(field.unit).replace(QLatin1String("^2"), QStringLiteral("²"));
     if (field.key == "threshold" && parameters.candidates.metric == Metric::Euclidean) return QStringLiteral("m");
     if (field.key.ends_with("_cells")) return QCoreApplication::translate("Parameters", "cells");
     return {};
@@ -44,7 +46,8 @@ QString parameterUnit(const ParameterField& field, const Parameters& parameters)
 
 QString parameterMeaning(const ParameterField& field) {
     QString meaning = QCoreApplication::translate("Parameters", field.help.c_str());
-    if (!meaning.isEmpty()) meaning[0] = meaning[0].toUpper();
+    // A symbol that stands alone, such as k, is no word.
+    if (meaning.size() > 1 && meaning[1].isLetter()) meaning[0] = meaning[0].toUpper();
     return meaning;
 }
 
