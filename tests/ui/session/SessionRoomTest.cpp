@@ -23,6 +23,8 @@ TEST(ReferenceRequest, MeshWithMapsGivesTheMeshCovariances) {
     QTemporaryDir folder;
     const std::string mesh = folder.filePath("tank.stl").toStdString();
     const std::string map = folder.filePath("map.pcd").toStdString();
+    std::ofstream(mesh) << "solid tank\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+                           "endloop\nendfacet\nendsolid tank\n";
     const ReferenceRequest both = requestFor({map, mesh});
     EXPECT_EQ(both.kind, ReferenceKind::CadAndMaps);
     EXPECT_EQ(both.files, std::vector<std::filesystem::path>{mesh});
