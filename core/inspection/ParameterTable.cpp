@@ -196,6 +196,8 @@ void addRegistration(std::vector<ParameterField>& table) {
                    "share of the map's surfaces, all directions alike, that have to lie in the reference's");
     section.number(&RegistrationSettings::ambiguityMargin, "ambiguity_margin", "", 0, 1,
                    "another pose whose share is at most this smaller fits nearly as well");
+    section.choice(&RegistrationSettings::refinement, "refinement", {"point-to-plane", "point-to-point"},
+                   "last step: true to most surfaces, or the least distances to the nearest reference points (paper)");
 }
 
 void addDiscrepancy(std::vector<ParameterField>& table) {

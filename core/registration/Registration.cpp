@@ -12,6 +12,7 @@
 #include "core/common/Error.h"
 #include "core/registration/PlanSearch.h"
 #include "core/registration/PlaneFit.h"
+#include "core/registration/PointFit.h"
 #include "core/registration/RegistrationSummary.h"
 #include "core/registration/SurfacePatches.h"
 
@@ -21,6 +22,7 @@ namespace {
 constexpr const char* kSurfaceStage = "finding the surfaces";
 constexpr const char* kFineStage = "aligning the map with the reference";
 constexpr const char* kCoarseStage = "comparing coarse alignments";
+constexpr const char* kRefineStage = "refining the alignment";
 constexpr const char* kJudgeStage = "judging the alignment";
 
 constexpr std::size_t kProposals = 24;
@@ -33,6 +35,8 @@ constexpr double kCoarseReserve = 0.1;
 constexpr std::size_t kMostAlternatives = 5;
 /// Poses that move the map's parts by less than this from each other are one.
 constexpr double kSamePose_m = 0.15;
+/// A refinement that moves the map's parts by more than this does not refine.
+constexpr double kFarthestRefinement_m = 0.05;
 /// Patches on edges have no plane to fit.
 constexpr double kLeastPlanarity = 0.2;
 /// Fewer patches are no map.
@@ -58,7 +62,7 @@ class Judge {
   public:
     Judge(std::span<const Eigen::Vector3d> map, std::span<const Eigen::Vector3d> reference,
           const RegistrationSettings& settings, Progress& progress)
-        : settings_(settings), progress_(progress), index_(reference) {
+        : settings_(settings), progress_(progress), reference_(reference), index_(reference) {
         voxels_map_ = voxelMeans(map, settings.mapVoxelSize_m);
     }
 
@@ -84,9 +88,23 @@ class Judge {
         return judged;
     }
 
+    /// @return the pose refined point to point; empty when it does not settle, or leaves for somewhere else
+    std::optional<Transform> refined(const Transform& pose) const {
+        const PointFitSettings settings{settings_.maximumCorrespondence_m, settings_.maximumIterations};
+        const PointFit fit = fitToPoints(voxels_map_, reference_, index_, pose, settings, kRefineStage, progress_);
+        if (!fit.converged) return std::nullopt;
+        double squares_m2 = 0.0;
+        for (const Eigen::Vector3d& voxel : voxels_map_)
+            squares_m2 += (fit.T_target_from_source * voxel - pose * voxel).squaredNorm();
+        const double farthest_m2 = kFarthestRefinement_m * kFarthestRefinement_m;
+        if (squares_m2 > farthest_m2 * static_cast<double>(voxels_map_.size())) return std::nullopt;
+        return fit.T_target_from_source;
+    }
+
   private:
     const RegistrationSettings& settings_;
     Progress& progress_;
+    std::span<const Eigen::Vector3d> reference_;
     NeighbourIndex index_;
     std::vector<Eigen::Vector3d> voxels_map_;
 };
@@ -199,6 +217,22 @@ class Alignment {
           judge_(map, reference, settings, progress) {}
 
     RegistrationResult aligned(const std::optional<Transform>& start) const {
+        RegistrationResult result = fitted(start);
+        // What the map does not hold, the nearest points do not hold either.
+        const bool isHeld = !isLoose(result);
+        if (settings_.refinement != Refinement::PointToPoint || !isTrusted(result.quality) || !isHeld) return result;
+        const std::optional<Transform> refined = judge_.refined(result.T_reference_from_map);
+        if (!refined) return result;
+        const PoseAlternative judged = judge_.judged(*refined);
+        result.T_reference_from_map = *refined;
+        result.overlap = judged.overlap;
+        result.rms_m = judged.rms_m;
+        result.explained = fitter_.explained(*refined);
+        return result;
+    }
+
+  private:
+    RegistrationResult fitted(const std::optional<Transform>& start) const {
         if (!fitter_.hasSurfaces()) {
             RegistrationResult nothing = resultOf({}, start);
             nothing.T_reference_from_map = start.value_or(Transform::Identity());
@@ -216,7 +250,6 @@ class Alignment {
         return searched(start);
     }
 
-  private:
     RegistrationResult resultOf(const FittedPose& pose, const std::optional<Transform>& start) const {
         const PoseAlternative judged = judge_.judged(pose.fit.T_target_from_source);
         RegistrationResult result;

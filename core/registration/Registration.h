@@ -13,8 +13,14 @@
 
 namespace fodscope {
 
+/// What the last step of an alignment makes least.
+enum class Refinement {
+    PointToPlane,  ///< distances to the planes of the reference, robustly: nearest to where the robot was
+    PointToPoint   ///< the paper: squared distances to the nearest reference points, which are what the discrepancy is
+};
+
 struct RegistrationSettings {
-    /// Voxels of the map by which overlap and residual are told.
+    /// Voxels of the map by which overlap and residual are told, and that are fitted point to point.
     double mapVoxelSize_m = 0.02;
     /// Paper's robot: correspondences farther apart are ignored ("ICP threshold").
     double maximumCorrespondence_m = 0.5;
@@ -31,6 +37,9 @@ struct RegistrationSettings {
     /// Another pose that explains at least the best pose's share less this fits nearly as well: nobody but the operator
     /// can tell which is true.
     double ambiguityMargin = 0.05;
+    /// A map whose parts do not lie rightly to each other has no one true pose: point to plane fits most of it well and
+    /// a part badly, point to point spreads the misfit, and thresholds that are chosen for one suit the other less.
+    Refinement refinement = Refinement::PointToPoint;
 
     bool operator==(const RegistrationSettings&) const = default;
 };
@@ -78,10 +87,11 @@ struct RegistrationResult {
     std::optional<Transform> start_T_reference_from_map;
 };
 
-/// Aligns a denoised map with the reference. With a start pose by point-to-plane ICP from there; without one from a
-/// search over all yaws and places (the map's z axis leans by a few degrees at most), which also tells whether another
-/// pose fits nearly as well. A start pose that leads nowhere is not overruled in silence: when the map fits elsewhere,
-/// the result is Ambiguous. A failure is Bad, never identity passed off as a result.
+/// Aligns a denoised map with the reference. With a start pose by point-to-plane ICP from there, refined point to point
+/// where the settings say so; without one from a search over all yaws and places (the map's z axis leans by a few
+/// degrees at most), which also tells whether another pose fits nearly as well. A start pose that leads nowhere is not
+/// overruled in silence: when the map fits elsewhere, the result is Ambiguous. A failure is Bad, never identity passed
+/// off as a result.
 /// @param map points in the map frame
 /// @param reference points in the reference frame
 /// @throws Error when either is empty; Cancelled

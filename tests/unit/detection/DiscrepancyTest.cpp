@@ -240,7 +240,9 @@ TEST(Discrepancy, MapPointsThatAreNotFiniteAreLeftOut) {
         const auto field = measureDiscrepancy(map, Transform::Identity(), reference, settings, progress);
         for (const Eigen::Vector3d& point : field.points)
             EXPECT_TRUE(point.allFinite());
-        if (crop) EXPECT_EQ(field.smoothedMahalanobis, expected.smoothedMahalanobis);
+        if (crop) {
+            EXPECT_EQ(field.smoothedMahalanobis, expected.smoothedMahalanobis);
+        }
     }
 }
 

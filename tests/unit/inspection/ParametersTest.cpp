@@ -147,8 +147,8 @@ TEST(Parameters, TheTableKnowsEveryField) {
         EXPECT_EQ(keysIn("denoise"), 3U);
     }
     {
-        [[maybe_unused]] const auto& [a, b, c, d, e, f, g, h] = registration;
-        EXPECT_EQ(keysIn("registration"), 8U);
+        [[maybe_unused]] const auto& [a, b, c, d, e, f, g, h, i] = registration;
+        EXPECT_EQ(keysIn("registration"), 9U);
     }
     {
         [[maybe_unused]] const auto& [a, b, c, d, e, f, smoothing, g] = discrepancy;

@@ -84,12 +84,13 @@ TEST(ColdStart, ARoomThatFitsInTwoWaysIsNotDecided) {
         EXPECT_GT((first.translation() - second.translation()).norm(), 0.5);
         EXPECT_GT(result.alternatives[0].overlap, 0.9);
 
-        // Either can be chosen, and nothing is doubted then; so can a start pose that is known roughly.
+        // Either can be chosen, and nothing is doubted then (it is refined by some millimetres only); so can a start
+        // pose that is known roughly.
         for (const Transform& chosen : {first, second}) {
             const RegistrationResult decided = registered(map, reference, chosen);
             EXPECT_EQ(decided.quality, RegistrationQuality::Good) << decided.summary;
             EXPECT_LT(cornerDisplacement_m(decided.T_reference_from_map * T_map_from_room, chosen * T_map_from_room),
-                      0.005);
+                      0.010);
             ASSERT_TRUE(decided.start_T_reference_from_map.has_value());
             EXPECT_EQ(decided.start_T_reference_from_map->matrix(), chosen.matrix());
         }
