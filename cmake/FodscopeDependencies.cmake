@@ -23,4 +23,5 @@ pkg_check_modules(PCL REQUIRED IMPORTED_TARGET pcl_common)
 
 if(FODSCOPE_BUILD_TESTS)
     find_package(GTest REQUIRED)
+    find_package(benchmark REQUIRED)
 endif()

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// Times one stage on points from a file, so that the same file can be given to a peer: see versus_peers.py. The file is
+// read before the clock starts. Prints one line of JSON: seconds of each round, peak memory, and a figure of the result
+// that the peer's must agree with.
+#include <sys/resource.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "core/cloud/NeighbourIndex.h"
+#include "core/cloud/OutlierRemoval.h"
+#include "core/cloud/PointCloudIo.h"
+#include "core/cloud/VoxelGrid.h"
+#include "core/common/Error.h"
+#include "core/detection/HierarchicalClustering.h"
+
+namespace fodscope {
+namespace {
+
+struct Input {
+    std::vector<Eigen::Vector3d> cloud;
+    std::vector<Eigen::Vector3d> reference;
+    double length_m = 0.0;
+};
+
+double meanNearestDistance(const Input& input) {
+    if (input.reference.empty()) throw Error("--reference", "is needed for this stage", "give a second cloud");
+    Progress progress;
+    const NeighbourIndex index(input.reference);
+    double sum_m = 0.0;
+    for (const Neighbour& neighbour : index.nearestOfEach(input.cloud, progress))
+        sum_m += std::sqrt(neighbour.squaredDistance_m2);
+    return sum_m / static_cast<double>(input.cloud.size());
+}
+
+double keptPoints(const Input& input) {
+    Progress progress;
+    return static_cast<double>(keptByOutlierRemoval(input.cloud, {}, progress).size());
+}
+
+double voxelCount(const Input& input) {
+    const Eigen::Vector3d origin = minimumCorner(input.cloud).array() - 0.5 * input.length_m;
+    return static_cast<double>(voxelGrid(input.cloud, origin, {input.length_m}).size());
+}
+
+/// A discrepancy smoothed over 50 voxels: the height stands for it.
+double smoothedSum(const Input& input) {
+    Progress progress;
+    const NeighbourIndex index(input.cloud);
+    std::vector<double> smoothed(input.cloud.size());
+    index.forEachKNearest(
+        input.cloud, 50,
+        [&](std::size_t i, std::span<const Neighbour> near) {
+            double sum = 0.0;
+            for (const Neighbour& neighbour : near)
+                sum += input.cloud[neighbour.index].z();
+            smoothed[i] = sum / static_cast<double>(near.size());
+        },
+        progress);
+    return std::accumulate(smoothed.begin(), smoothed.end(), 0.0);
+}
+
+double clusterCount(const Input& input) {
+    Progress progress;
+    const MergeSequence sequence = mergeSequence(input.cloud, Linkage::Centroid, input.length_m, progress);
+    const std::vector<std::uint32_t> labels = clustersAt(sequence, input.length_m);
+    return 1.0 + *std::ranges::max_element(labels);
+}
+
+const std::map<std::string, std::function<double(const Input&)>>& stages() {
+    static const std::map<std::string, std::function<double(const Input&)>> all{{"nearest", meanNearestDistance},
+                                                                                {"outliers", keptPoints},
+                                                                                {"voxels", voxelCount},
+                                                                                {"smoothing", smoothedSum},
+                                                                                {"clusters", clusterCount}};
+    return all;
+}
+
+nlohmann::json timed(const std::string& stage, const Input& input, int rounds) {
+    nlohmann::json result{{"stage", stage}, {"points", input.cloud.size()}};
+    for (int round = 0; round < rounds; ++round) {
+        const auto begin = std::chrono::steady_clock::now();
+        result["result"] = stages().at(stage)(input);
+        result["seconds"].push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    }
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    result["peak_memory_bytes"] = 1024 * usage.ru_maxrss;
+    return result;
+}
+
+}  // namespace
+}  // namespace fodscope
+
+int main(int argc, char** argv) {
+    CLI::App app("Times one stage of Fodscope's core");
+    std::string stage;
+    std::string cloud;
+    std::string reference;
+    int rounds = 1;
+    fodscope::Input input;
+    std::vector<std::string> names;
+    for (const auto& [name, run] : fodscope::stages())
+        names.push_back(name);
+    app.add_option("stage", stage, "what to time")->required()->check(CLI::IsMember(names));
+    app.add_option("--cloud", cloud, "PCD or PLY")->required()->check(CLI::ExistingFile);
+    app.add_option("--reference", reference, "PCD or PLY; for nearest")->check(CLI::ExistingFile);
+    app.add_option("--length", input.length_m, "voxel size or cutoff, metres")->check(CLI::PositiveNumber);
+    app.add_option("--rounds", rounds, "how often")->check(CLI::Range(1, 1000));
+    CLI11_PARSE(app, argc, argv);
+    try {
+        input.cloud = fodscope::readPointCloud(cloud).points;
+        if (!reference.empty()) input.reference = fodscope::readPointCloud(reference).points;
+        std::cout << fodscope::timed(stage, input, rounds) << "\n";
+    } catch (const std::exception& problem) {
+        std::cerr << "error: " << problem.what() << "\n";
+        return 1;
+    }
+    return 0;
+}
