@@ -126,7 +126,7 @@ void requireUsable(std::span<const Eigen::Vector3d> map, std::span<const Eigen::
 
 }  // namespace
 
-bool RegionResidual::isObserved() const {
+bool RegionResidual::isMeasured() const {
     return !std::isnan(offset_m);
 }
 
@@ -183,7 +183,7 @@ std::vector<std::size_t> worstRegions(const RegionResiduals& residuals, std::siz
     std::vector<std::size_t> worst;
     for (std::size_t i = 0; i < residuals.regions.size(); ++i) {
         const RegionResidual& region = residuals.regions[i];
-        if (region.isObserved() && std::abs(region.offset_m) >= least_m) worst.push_back(i);
+        if (region.isMeasured() && std::abs(region.offset_m) >= least_m) worst.push_back(i);
     }
     std::ranges::stable_sort(worst, [&](std::size_t a, std::size_t b) {
         return std::abs(residuals.regions[a].offset_m) > std::abs(residuals.regions[b].offset_m);
@@ -209,7 +209,7 @@ std::string regionInWords(const RegionResidual& region) {
         }
         words += " m";
     }
-    if (!region.isObserved()) return words + ": not observed";
+    if (!region.isMeasured()) return words + ": too little surface to measure";
     const bool inward = region.offset_m >= 0.0;
     const char* side = region.kind == SurfaceKind::Floor     ? (inward ? "upwards" : "downwards")
                        : region.kind == SurfaceKind::Ceiling ? (inward ? "downwards" : "upwards")

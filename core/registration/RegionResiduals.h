@@ -20,7 +20,8 @@ struct RegionResidualSettings {
     double surfaceVoxelSize_m = 0.05;
     /// A map surface farther than this from the reference's is not that surface.
     double maximumOffset_m = 0.15;
-    /// Regions with fewer pieces of the map's surface are not observed.
+    /// Regions with fewer pieces of the map's surface are not measured: nobody was there, or edges and narrow parts
+    /// show no plane.
     std::size_t leastPieces = 6;
 
     bool operator==(const RegionResidualSettings&) const = default;
@@ -38,12 +39,12 @@ struct RegionResidual {
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
     /// Pieces of the map's surface that were compared.
     std::size_t pieces = 0;
-    /// Median offset of the map's surface along the normal, positive inwards; NaN where it was not observed.
+    /// Median offset of the map's surface along the normal, positive inwards; NaN where it was not measured.
     double offset_m = 0.0;
-    /// Spread of the offsets: 1.4826 times their median absolute deviation; NaN where it was not observed.
+    /// Spread of the offsets: 1.4826 times their median absolute deviation; NaN where it was not measured.
     double spread_m = 0.0;
 
-    bool isObserved() const;
+    bool isMeasured() const;
 };
 
 struct RegionResiduals {
@@ -62,7 +63,7 @@ RegionResiduals measureRegionResiduals(std::span<const Eigen::Vector3d> map, con
                                        std::span<const Eigen::Vector3d> reference,
                                        const RegionResidualSettings& settings, Progress& progress);
 
-/// @return indices of the observed regions whose offsets are the largest and at least `least_m`, the worst first
+/// @return indices of the measured regions whose offsets are the largest and at least `least_m`, the worst first
 std::vector<std::size_t> worstRegions(const RegionResiduals& residuals, std::size_t count, double least_m = 0.0);
 
 /// "wall at x 3.0 to 3.5 m, y 0.0 to 0.5 m, z 0.0 to 0.5 m: off by 14 mm inwards"

@@ -51,9 +51,9 @@ void ResidualCard::refresh() {
     regions_ = worstRegions(*residuals, kShownRegions, kLeastOffset_m);
     for (const std::size_t region : regions_)
         list_->addItem(QString::fromStdString(regionInWords(residuals->regions[region])));
-    const auto seen = static_cast<std::size_t>(std::ranges::count_if(residuals->regions, &RegionResidual::isObserved));
-    const QString observed =
-        tr("%1 of %2 regions of half a metre were observed.").arg(count(seen), count(residuals->regions.size()));
+    const auto seen = static_cast<std::size_t>(std::ranges::count_if(residuals->regions, &RegionResidual::isMeasured));
+    const QString observed = tr("%1 of %2 regions of half a metre show enough surface to be measured.")
+                                 .arg(count(seen), count(residuals->regions.size()));
     sentence_->setText(regions_.empty()
                            ? tr("No region is off by %1 or more. %2").arg(millimetres(kLeastOffset_m), observed)
                            : tr("%1 The farthest off:").arg(observed));

@@ -46,7 +46,7 @@ ReferenceColours residualColours(const RegionResiduals& residuals) {
     style.maximum = kShownResidual_m;
     style.scale = ColourScale::Diverging;
     style.reachesBelow = true;
-    style.unknownWord = QObject::tr("not observed");
+    style.unknownWord = QObject::tr("not measured");
     style.stripesUnknown = true;
     style.describe = [](double offset_m) {
         return offset_m < 0.0 ? QObject::tr("%1 outwards").arg(millimetres(-offset_m, 0))

@@ -39,7 +39,7 @@ TEST(RegionResiduals, AMovedWallIsOffByWhatItWasMoved) {
     const RegionResiduals residuals = residualsOf(boxWithMovedWall(0.020), motion(50.0, {1.0, 2.0, 0.0}));
     std::size_t onTheWall = 0;
     for (const RegionResidual& region : residuals.regions) {
-        if (!region.isObserved()) continue;
+        if (!region.isMeasured()) continue;
         const bool moved = region.kind == SurfaceKind::Wall && region.normal.x() < -0.9;
         EXPECT_NEAR(region.offset_m, moved ? 0.020 : 0.0, 0.003) << regionInWords(region);
         EXPECT_LT(region.spread_m, 0.005);
@@ -84,8 +84,8 @@ TEST(RegionResiduals, WhatTheMapDoesNotShowIsUnknownNotZero) {
         }
     }
     for (const RegionResidual& region : residuals.regions) {
-        if (!region.isObserved()) {
-            EXPECT_THAT(regionInWords(region), HasSubstr("not observed"));
+        if (!region.isMeasured()) {
+            EXPECT_THAT(regionInWords(region), HasSubstr("too little surface to measure"));
         }
     }
 }
