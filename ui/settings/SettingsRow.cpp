@@ -40,9 +40,7 @@ SettingsRow::SettingsRow(const ParameterField& field, QGridLayout& grid, int row
     reset_->setObjectName(QStringLiteral("reset.") + id);
     reset_->setIcon(icon(Icon::Retry));
     reset_->setAccessibleName(tr("Back to the preset's value: %1").arg(parameterName(field)));
-    QSizePolicy keepsItsPlace = reset_->sizePolicy();
-    keepsItsPlace.setRetainSizeWhenHidden(true);
-    reset_->setSizePolicy(keepsItsPlace);
+    keepResetsPlace(true);
 
     grid.addWidget(name_, row, 0);
     grid.addWidget(editor_, row, 1);
@@ -71,7 +69,15 @@ void SettingsRow::setVisible(bool visible) {
     for (QWidget* widget : {static_cast<QWidget*>(name_), static_cast<QWidget*>(editor_), static_cast<QWidget*>(unit_),
                             static_cast<QWidget*>(note_)})
         widget->setVisible(visible);
+    // A row that the search hides must not leave a gap.
+    keepResetsPlace(visible);
     if (!visible) reset_->hide();
+}
+
+void SettingsRow::keepResetsPlace(bool kept) {
+    QSizePolicy policy = reset_->sizePolicy();
+    policy.setRetainSizeWhenHidden(kept);
+    reset_->setSizePolicy(policy);
 }
 
 }  // namespace fodscope

@@ -32,6 +32,9 @@ class SettingsRow : public QObject {
     void resetAsked();
 
   private:
+    /// Whether the reset button takes up room while it is hidden, so that the columns stand still.
+    void keepResetsPlace(bool kept);
+
     const ParameterField& field_;
     QLabel* name_ = nullptr;
     ParameterEditor* editor_ = nullptr;

@@ -102,6 +102,15 @@ TEST_F(Settings, SearchLeavesTheRowsThatMatch) {
     EXPECT_FALSE(find<ParameterEditor>("parameter.denoise.neighbours")->isVisible());
 }
 
+TEST_F(Settings, SearchLeavesNoGapsWhereRowsWere) {
+    auto* editor = find<ParameterEditor>("parameter.discrepancy.smoothing_passes");
+    QTest::keyClicks(find<QLineEdit>("settings.search"), "how often");
+    QCoreApplication::sendPostedEvents();
+    ASSERT_TRUE(editor->isVisible());
+    // A title and one row of two lines; with the gaps of the twelve other rows it would be 400 px.
+    EXPECT_LT(editor->parentWidget()->sizeHint().height(), 200);
+}
+
 TEST_F(Settings, FileThatWasSavedIsReadBack) {
     type("parameter.denoise.neighbours", "21");
     files.next = folder.filePath("p.yaml");
