@@ -96,8 +96,9 @@ TEST_F(Baseline, Val03CostsWhatItCostsTheIndependentImplementation) {
         EXPECT_NEAR(fod["distance_m"].get<double>(), expected_m.at(fod["type"].get<std::string>()), 0.01) << fod;
 }
 
-/// All 15 maps take minutes, so they are run on demand. Counts may differ by a tenth, distances and costs by 0.04 m and
-/// recalls by two of 48 FOD: maps with a bad loop closure have thousands of points just about the threshold.
+/// All 15 maps take minutes, so they are run on demand. Counts may differ by a tenth, costs by 0.04 m, and recalls by
+/// two of 48 FOD, which then lie some 1.5 m from the next candidate, so that the mean distance may differ by 0.06 m:
+/// maps with a bad loop closure have thousands of points just about the threshold.
 TEST_F(Baseline, TheFifteenValidationMapsGiveItsTable) {
     if (std::getenv("FODSCOPE_FULL_BASELINE") == nullptr)
         GTEST_SKIP() << "takes minutes; set FODSCOPE_FULL_BASELINE to run it";
@@ -119,7 +120,7 @@ TEST_F(Baseline, TheFifteenValidationMapsGiveItsTable) {
         EXPECT_NEAR(mean("unassociated_points_per_trial"), row.points, 0.1 * row.points);
         EXPECT_NEAR(mean("unassociated_candidates_per_trial"), row.unassociated, 0.1 * row.unassociated);
         EXPECT_NEAR(mean("false_candidates_per_trial"), row.falseCandidates, 0.1 * row.falseCandidates);
-        EXPECT_NEAR(mean("distance_error_m"), row.distance_m, 0.04);
+        EXPECT_NEAR(mean("distance_error_m"), row.distance_m, 0.06);
         EXPECT_NEAR(summary["recall"]["0.30"].get<double>(), row.recall30, 2.1 / 48);
         EXPECT_NEAR(summary["recall"]["0.15"].get<double>(), row.recall15, 2.1 / 48);
         EXPECT_NEAR(summary["mean_cost"].get<double>(), row.cost, 0.04);
