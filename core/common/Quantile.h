@@ -12,13 +12,16 @@ namespace fodscope {
 /// @param share 0 to 1
 template <class Value>
 double quantileOf(std::vector<Value> values, double share) {
-    std::sort(values.begin(), values.end());
     const double position = share * static_cast<double>(values.size() - 1);
     const auto below = static_cast<std::size_t>(position);
-    const std::size_t above = std::min(below + 1, values.size() - 1);
     const double part = position - static_cast<double>(below);
-    const double low = static_cast<double>(values[below]);
-    return low + part * (static_cast<double>(values[above]) - low);
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(below);
+    std::nth_element(values.begin(), at, values.end());
+    const auto low = static_cast<double>(*at);
+    if (at + 1 == values.end()) return low;
+    const auto high = static_cast<double>(*std::min_element(at + 1, values.end()));
+    // As numpy rounds it.
+    return part < 0.5 ? low + (high - low) * part : high - (high - low) * (1.0 - part);
 }
 
 }  // namespace fodscope
