@@ -4,25 +4,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "core/cloud/PointCloudIo.h"
-#include "core/cloud/UnitCheck.h"
-#include "core/common/Error.h"
 
 namespace fodscope {
 namespace {
-
-void requireTrials(std::span<const Trial> trials, bool needTransforms) {
-    if (std::ranges::all_of(trials, [](const Trial& trial) { return trial.isNominal(); }))
-        throw Error("trials", "all maps are nominal, there is no FOD to find in them",
-                    "give a folder with maps whose \"fods\" is not empty");
-    std::string lacking;
-    for (const Trial& trial : trials)
-        if (needTransforms && !trial.isNominal() && !trial.T_cad_from_map)
-            lacking += (lacking.empty() ? "" : ", ") + trial.name;
-    if (!lacking.empty())
-        throw Error("trials", "no T_cad_from_map is stored for " + lacking,
-                    "leave --stored-transforms out, then the program registers the maps itself");
-}
 
 std::size_t unassociatedPoints(const CandidateSet& set, const Association& association) {
     std::size_t points = set.pointsAboveThreshold;
@@ -53,15 +37,7 @@ Progress partOf(Progress& whole, const std::string& name, std::size_t index, std
 EvaluatedTrial evaluateTrial(const std::shared_ptr<const ReferenceMap>& reference, const Trial& trial,
                              const EvaluationSettings& settings, const PhotoTaker& takePhotos, Progress& progress) {
     progress.report("reading the map", 0.0);
-    DetectionPipeline pipeline;
-    pipeline.setReference(reference);
-    auto map = std::make_shared<PointCloud>(readPointCloud(trial.map));
-    requireUsableCloud(map->points, trial.map.string());
-    pipeline.setMap(std::move(map));
-    if (settings.useStoredTransforms)
-        pipeline.setGivenTransform(trial.T_cad_from_map);
-    else
-        pipeline.setStart(trial.T_cad_from_map_initial);
+    DetectionPipeline pipeline = pipelineFor(trial, reference, settings.placement);
     const DetectionResult& detection = pipeline.run(settings.parameters, progress);
     EvaluatedTrial result = evaluateDetection(trial, detection, settings.lambda);
     if (!result.counts) return result;
@@ -106,23 +82,16 @@ EvaluatedTrial evaluateDetection(const Trial& trial, const DetectionResult& dete
 
 Evaluation evaluateTrials(const std::shared_ptr<const ReferenceMap>& reference, std::span<const Trial> trials,
                           const EvaluationSettings& settings, const PhotoTaker& takePhotos, Progress& progress) {
-    requireTrials(trials, settings.useStoredTransforms);
+    const auto [withFod, nominalMaps] = selectTrials(trials, settings.placement);
     Evaluation evaluation;
     evaluation.settings = settings;
-    std::vector<const Trial*> withFod;
-    for (const Trial& trial : trials) {
-        if (trial.isNominal())
-            evaluation.nominalMaps.push_back(trial.name);
-        else
-            withFod.push_back(&trial);
-    }
+    evaluation.nominalMaps = nominalMaps;
     for (std::size_t i = 0; i < withFod.size(); ++i) {
         Progress part = partOf(progress, withFod[i]->name, i, withFod.size());
         try {
             evaluation.trials.push_back(evaluateTrial(reference, *withFod[i], settings, takePhotos, part));
         } catch (const Error& error) {
-            if (error.subject() != "map") throw;
-            throw Error(withFod[i]->map.string(), error.problem(), error.remedy());
+            rethrowNaming(*withFod[i], error);
         }
     }
     return evaluation;

@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "core/evaluation/Association.h"
-#include "core/evaluation/GroundTruth.h"
-#include "core/inspection/DetectionPipeline.h"
+#include "core/evaluation/TrialSelection.h"
 
 namespace fodscope {
 
@@ -69,8 +68,7 @@ struct EvaluationSettings {
     Parameters parameters;
     /// Cost of an unassociated candidate, metres.
     double lambda = kUnassociatedWeight_m;
-    /// Each trial's T_cad_from_map replaces its registration.
-    bool useStoredTransforms = false;
+    TrialPlacement placement = TrialPlacement::Registered;
 };
 
 struct Evaluation {

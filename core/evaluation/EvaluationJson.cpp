@@ -105,7 +105,7 @@ std::string evaluationJson(const Evaluation& evaluation, const SourceFile& refer
     root["reference"] = {{"file", reference.path}, {"points", reference.points}, {"sha256", reference.sha256}};
     root["settings"] = jsonParameters(evaluation.settings.parameters);
     root["lambda"] = rounded(evaluation.settings.lambda);
-    root["stored_transforms"] = evaluation.settings.useStoredTransforms;
+    root["stored_transforms"] = evaluation.settings.placement == TrialPlacement::Stored;
     root["trials"] = Json::array();
     for (const EvaluatedTrial& trial : evaluation.trials)
         root["trials"].push_back(jsonOf(trial));

@@ -40,7 +40,7 @@ std::vector<std::string> howCounted(const Evaluation& evaluation) {
         std::to_string(evaluation.trials.size()) + " trials with " + std::to_string(summary.fods) +
         " FOD. Nominal maps (without FOD) left out of every figure: " + std::to_string(evaluation.nominalMaps.size()) +
         (evaluation.nominalMaps.empty() ? "." : " (" + joined(evaluation.nominalMaps) + ")."));
-    lines.push_back(evaluation.settings.useStoredTransforms
+    lines.push_back(evaluation.settings.placement == TrialPlacement::Stored
                         ? "Each map was placed by its stored T_cad_from_map; nothing was registered."
                         : "Each map was registered by the program, from T_cad_from_map_initial where there is one.");
     if (!summary.failedTrials.empty())

@@ -6,11 +6,7 @@
 
 #include <chrono>
 
-#include "core/cloud/PointCloudIo.h"
-#include "core/cloud/UnitCheck.h"
-#include "core/common/Error.h"
 #include "core/evaluation/SharedProgress.h"
-#include "core/inspection/DetectionPipeline.h"
 
 namespace fodscope {
 namespace {
@@ -25,16 +21,8 @@ Measured measure(const std::shared_ptr<const ReferenceMap>& reference, const Tri
                  TrialPlacement placement, Progress& progress) {
     const auto begin = std::chrono::steady_clock::now();
     progress.report("reading the map", 0.0);
-    auto map = std::make_shared<PointCloud>(readPointCloud(trial.map));
-    requireUsableCloud(map->points, trial.map.string());
+    DetectionPipeline pipeline = pipelineFor(trial, reference, placement);
     const double readSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    DetectionPipeline pipeline;
-    pipeline.setReference(reference);
-    pipeline.setMap(std::move(map));
-    if (placement == TrialPlacement::Stored)
-        pipeline.setGivenTransform(trial.T_cad_from_map);
-    else
-        pipeline.setStart(trial.T_cad_from_map_initial);
     const DetectionResult& detection = pipeline.run(parameters, progress, PipelineEnd::Discrepancy);
     Measured measured;
     measured.trial.name = trial.name;
@@ -53,24 +41,9 @@ Measured measure(const std::shared_ptr<const ReferenceMap>& reference, const Tri
 MeasuredTrials measureTrials(const std::shared_ptr<const ReferenceMap>& reference, std::span<const Trial> trials,
                              const Parameters& parameters, TrialPlacement placement, Progress& progress) {
     MeasuredTrials result;
-    std::vector<const Trial*> withFod;
-    std::string lacking;
-    for (const Trial& trial : trials) {
-        if (trial.isNominal())
-            result.nominalMaps.push_back(trial.name);
-        else
-            withFod.push_back(&trial);
-        if (placement == TrialPlacement::Stored && !trial.isNominal() && !trial.T_cad_from_map)
-            lacking += (lacking.empty() ? "" : ", ") + trial.name;
-    }
-    if (withFod.empty()) {
-        throw Error("trials", "all maps are nominal, there is no FOD to find in them",
-                    "give a folder with maps whose \"fods\" is not empty");
-    }
-    if (!lacking.empty()) {
-        throw Error("trials", "no T_cad_from_map is stored for " + lacking,
-                    "leave --stored-transforms out, then the program registers the maps itself");
-    }
+    const TrialSelection selection = selectTrials(trials, placement);
+    const std::vector<const Trial*>& withFod = selection.withFod;
+    result.nominalMaps = selection.nominalMaps;
     SharedProgress shared(progress, "measuring " + std::to_string(withFod.size()) + " trials",
                           static_cast<double>(withFod.size()));
     std::vector<Measured> measured(withFod.size());
@@ -83,8 +56,7 @@ MeasuredTrials measureTrials(const std::shared_ptr<const ReferenceMap>& referenc
                 tbb::this_task_arena::isolate(
                     [&] { measured[i] = measure(reference, *withFod[i], parameters, placement, part); });
             } catch (const Error& error) {
-                if (error.subject() != "map") throw;
-                throw Error(withFod[i]->map.string(), error.problem(), error.remedy());
+                rethrowNaming(*withFod[i], error);
             }
             shared.add(1.0);
         },

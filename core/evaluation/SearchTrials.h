@@ -7,18 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "core/evaluation/GroundTruth.h"
 #include "core/evaluation/ParameterSearch.h"
+#include "core/evaluation/TrialSelection.h"
 #include "core/inspection/Parameters.h"
 #include "core/reference/ReferenceMap.h"
 
 namespace fodscope {
-
-/// How a trial's map comes to lie on the reference.
-enum class TrialPlacement {
-    Registered,  ///< by the program's own registration, from T_cad_from_map_initial where there is one
-    Stored       ///< by its T_cad_from_map
-};
 
 /// Trials brought as far as the discrepancy, ready to be searched.
 struct MeasuredTrials {

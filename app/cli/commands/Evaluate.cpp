@@ -6,6 +6,7 @@
 #include "app/cli/Inputs.h"
 #include "app/cli/OutputFile.h"
 #include "app/cli/ParameterOptions.h"
+#include "app/cli/TrialOptions.h"
 #include "app/cli/commands/Commands.h"
 #include "core/common/Files.h"
 #include "core/evaluation/EvaluationReport.h"
@@ -15,11 +16,9 @@ namespace fodscope::cli {
 namespace {
 
 struct Options {
-    std::string reference;
-    std::string trials;
+    TrialOptions trials;
     ParameterOptions parameters;
     double lambda = kUnassociatedWeight_m;
-    bool storedTransforms = false;
     bool photos = false;
     std::string worlds;
     std::string out;
@@ -31,14 +30,14 @@ void execute(const Options& options, Context& context) {
     EvaluationSettings settings;
     settings.parameters = parametersOf(options.parameters);
     settings.lambda = options.lambda;
-    settings.useStoredTransforms = options.storedTransforms;
+    settings.placement = options.trials.placement();
     requireWritable(options.out);
-    const std::vector<Trial> trials = readTrials(options.trials);
+    const std::vector<Trial> trials = readTrials(options.trials.trials);
     context.progress.report("reading the reference", 0.0);
-    const LoadedReferenceMap reference = loadReference(options.reference);
+    const LoadedReferenceMap reference = loadReference(options.trials.reference);
     PhotoTaker takePhotos;
     if (options.photos) takePhotos = makePhotoTaker(options.worlds, trials, reference.reference, settings.parameters);
-    const Evaluation evaluation = namingFiles({{"reference", options.reference}, {"trials", options.trials}}, [&] {
+    const Evaluation evaluation = namingFiles({{"reference", options.trials.reference}, {"trials", options.trials.trials}}, [&] {
         return evaluateTrials(reference.reference, trials, settings, takePhotos, context.progress);
     });
     writeFile(options.out, evaluationJson(evaluation, reference.source));
@@ -51,16 +50,11 @@ void addEvaluateCommand(CLI::App& program, Run& run) {
     const auto options = std::make_shared<Options>();
     CLI::App* command =
         program.add_subcommand("evaluate", "run the detection on trials with known FOD and count what it found");
-    command->add_option("--reference", options->reference, "reference map (PLY)")->required()->type_name("REF.ply");
-    command->add_option("--trials", options->trials, "folder with NAME.pcd and NAME.json of each trial")
-        ->required()
-        ->type_name("DIR");
+    addTrialOptions(*command, options->trials);
     addDetectionParameterOptions(*command, options->parameters);
     command->add_option("--lambda", options->lambda, "cost of an unassociated candidate [m]")
         ->check(CLI::Range(0.0, 1000.0))
         ->capture_default_str();
-    const std::string stored = "place each map by its T_cad_from_map instead of registering it";
-    command->add_flag("--stored-transforms", options->storedTransforms, stored);
     command->add_flag("--photos", options->photos, "have the simulated robot photograph every candidate");
     command->add_option("--worlds", options->worlds, "folder with the world NAME.json of each trial")->type_name("DIR");
     command->add_option("--out", options->out, "file to write to")->required()->type_name("evaluation.json");

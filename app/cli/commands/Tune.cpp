@@ -7,6 +7,7 @@
 #include "app/cli/Inputs.h"
 #include "app/cli/OutputFile.h"
 #include "app/cli/ParameterOptions.h"
+#include "app/cli/TrialOptions.h"
 #include "app/cli/commands/Commands.h"
 #include "core/common/Files.h"
 #include "core/evaluation/CostSurface.h"
@@ -17,11 +18,9 @@ namespace fodscope::cli {
 namespace {
 
 struct Options {
-    std::string reference;
-    std::string trials;
+    TrialOptions trials;
     ParameterOptions parameters;
     GridOptions grid;
-    bool storedTransforms = false;
     std::vector<std::string> surfaces;
     std::string out;
 };
@@ -34,8 +33,8 @@ std::string leftOut(std::size_t nominalMaps) {
 /// The whole parameter file, headed by how its best values were found.
 std::string tunedYaml(const Options& options, const Parameters& base, const ParameterSearchResult& result,
                       const MeasuredTrials& measured, const SourceFile& reference) {
-    std::vector<std::string> lines{"Found by 'fodscope-cli tune' on the trials in " + options.trials + ",",
-                                   "with the reference " + options.reference + " (SHA-256 " + reference.sha256 + ")."};
+    std::vector<std::string> lines{"Found by 'fodscope-cli tune' on the trials in " + options.trials.trials + ",",
+                                   "with the reference " + options.trials.reference + " (SHA-256 " + reference.sha256 + ")."};
     if (!measured.nominalMaps.empty()) lines.push_back(leftOut(measured.nominalMaps.size()));
     for (const auto& [name, why] : measured.failures)
         lines.push_back(name + " could not be aligned and counts 7.5 m everywhere.");
@@ -61,15 +60,14 @@ void writeSurface(const std::string& file, const ParameterSearchResult& result) 
 void execute(const Options& options, Context& context) {
     const Parameters parameters = parametersOf(options.parameters);
     const ParameterSearchSettings settings = searchSettingsOf(options.grid, parameters.candidates);
-    const TrialPlacement placement = options.storedTransforms ? TrialPlacement::Stored : TrialPlacement::Registered;
     requireWritable(options.out);
     for (const std::string& surface : options.surfaces)
         requireWritable(surface);
-    const std::vector<Trial> trials = readTrials(options.trials);
+    const std::vector<Trial> trials = readTrials(options.trials.trials);
     context.progress.report("reading the reference", 0.0);
-    const LoadedReferenceMap reference = loadReference(options.reference);
-    const auto [measured, result] = namingFiles({{"reference", options.reference}, {"trials", options.trials}}, [&] {
-        MeasuredTrials maps = measureTrials(reference.reference, trials, parameters, placement, context.progress);
+    const LoadedReferenceMap reference = loadReference(options.trials.reference);
+    const auto [measured, result] = namingFiles({{"reference", options.trials.reference}, {"trials", options.trials.trials}}, [&] {
+        MeasuredTrials maps = measureTrials(reference.reference, trials, parameters, options.trials.placement(), context.progress);
         ParameterSearchResult found = searchParameters(maps.trials, settings, context.progress);
         return std::pair(std::move(maps), std::move(found));
     });
@@ -92,14 +90,9 @@ void addTuneCommand(CLI::App& program, Run& run) {
     const auto options = std::make_shared<Options>();
     CLI::App* command =
         program.add_subcommand("tune", "search the best threshold, cluster cutoff and least points on trials");
-    command->add_option("--reference", options->reference, "reference map (PLY)")->required()->type_name("REF.ply");
-    command->add_option("--trials", options->trials, "folder with NAME.pcd and NAME.json of each trial")
-        ->required()
-        ->type_name("DIR");
+    addTrialOptions(*command, options->trials);
     addMethodOptions(*command, options->parameters);
     addGridOptions(*command, options->grid);
-    const std::string stored = "place each map by its T_cad_from_map instead of registering it";
-    command->add_flag("--stored-transforms", options->storedTransforms, stored);
     command
         ->add_option(
             "--surface", options->surfaces,

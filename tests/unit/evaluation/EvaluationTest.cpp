@@ -151,7 +151,7 @@ TEST_F(EvaluateTrials, StoredTransformsReplaceTheRegistration) {
     std::vector<Trial> trials = {withBox("a")};
     trials[0].T_cad_from_map = Transform::Identity();
     EvaluationSettings stored = settings();
-    stored.useStoredTransforms = true;
+    stored.placement = TrialPlacement::Stored;
     Progress progress;
     const Evaluation evaluation = evaluateTrials(reference(), trials, stored, {}, progress);
     EXPECT_EQ(RegistrationQuality::Given, evaluation.trials[0].registration.quality);
