@@ -1,43 +1,22 @@
 // SPDX-License-Identifier: MIT
-// How the stages' times grow with the number of points, 10 thousand to 10 million: points on the walls of a box room
-// with a centimetre of noise, as dense as a map of a tank.
+// How the stages' times grow with the number of points, 10 thousand to 10 million.
 #include <benchmark/benchmark.h>
 
-#include <cmath>
-#include <random>
 #include <vector>
 
 #include "core/cloud/NeighbourIndex.h"
 #include "core/cloud/OutlierRemoval.h"
 #include "core/cloud/VoxelGrid.h"
 #include "core/detection/HierarchicalClustering.h"
+#include "tests/benchmark/BoxRoom.h"
 
 namespace fodscope {
 namespace {
 
-/// About a point a square centimetre, whatever their number: the room grows with it.
-std::vector<Eigen::Vector3d> room(std::size_t count, std::uint64_t seed) {
-    std::mt19937_64 generator(seed);
-    const double edge_m = std::sqrt(static_cast<double>(count) / 6.0 * 1e-4);
-    std::uniform_real_distribution<double> along(0.0, edge_m);
-    std::normal_distribution<double> noise(0.0, 0.01);
-    std::vector<Eigen::Vector3d> points(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto axis = static_cast<Eigen::Index>(i % 3);
-        Eigen::Vector3d& point = points[i];
-        for (Eigen::Index other = 0; other < 3; ++other)
-            point[other] = along(generator);
-        point[axis] = (i / 3) % 2 == 0 ? 0.0 : edge_m;
-        for (Eigen::Index other = 0; other < 3; ++other)
-            point[other] += noise(generator);
-    }
-    return points;
-}
-
 void nearest(benchmark::State& state) {
     const auto count = static_cast<std::size_t>(state.range(0));
-    const std::vector<Eigen::Vector3d> reference = room(count, 1);
-    const std::vector<Eigen::Vector3d> map = room(count, 2);
+    const std::vector<Eigen::Vector3d> reference = boxRoom(count, 1);
+    const std::vector<Eigen::Vector3d> map = boxRoom(count, 2);
     Progress progress;
     for (auto _ : state)
         benchmark::DoNotOptimize(NeighbourIndex(reference).nearestOfEach(map, progress));
@@ -45,7 +24,7 @@ void nearest(benchmark::State& state) {
 }
 
 void outliers(benchmark::State& state) {
-    const std::vector<Eigen::Vector3d> map = room(static_cast<std::size_t>(state.range(0)), 3);
+    const std::vector<Eigen::Vector3d> map = boxRoom(static_cast<std::size_t>(state.range(0)), 3);
     Progress progress;
     for (auto _ : state)
         benchmark::DoNotOptimize(keptByOutlierRemoval(map, {}, progress));
@@ -53,14 +32,14 @@ void outliers(benchmark::State& state) {
 }
 
 void voxels(benchmark::State& state) {
-    const std::vector<Eigen::Vector3d> map = room(static_cast<std::size_t>(state.range(0)), 4);
+    const std::vector<Eigen::Vector3d> map = boxRoom(static_cast<std::size_t>(state.range(0)), 4);
     for (auto _ : state)
         benchmark::DoNotOptimize(voxelGrid(map, minimumCorner(map), {0.02}));
     state.SetComplexityN(state.range(0));
 }
 
 void clusters(benchmark::State& state) {
-    const std::vector<Eigen::Vector3d> points = room(static_cast<std::size_t>(state.range(0)), 5);
+    const std::vector<Eigen::Vector3d> points = boxRoom(static_cast<std::size_t>(state.range(0)), 5);
     Progress progress;
     for (auto _ : state)
         benchmark::DoNotOptimize(mergeSequence(points, Linkage::Centroid, 0.345, progress));
@@ -74,5 +53,3 @@ BENCHMARK(clusters)->RangeMultiplier(10)->Range(1'000, 100'000)->Unit(benchmark:
 
 }  // namespace
 }  // namespace fodscope
-
-BENCHMARK_MAIN();
