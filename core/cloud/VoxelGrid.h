@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <span>
 
+#include "core/cloud/Bounds.h"
+#include "core/cloud/MovedPoints.h"
 #include "core/cloud/PointCloud.h"
 
 namespace fodscope {
@@ -22,9 +24,8 @@ struct VoxelGridSettings {
 VoxelCloud voxelGrid(std::span<const Eigen::Vector3d> points, const Eigen::Vector3d& origin,
                      const VoxelGridSettings& settings);
 
-/// @return the least coordinate on each axis
-/// @throws Error when there are no points
-Eigen::Vector3d minimumCorner(std::span<const Eigen::Vector3d> points);
-Eigen::Vector3d maximumCorner(std::span<const Eigen::Vector3d> points);
+/// The same of a moved and cropped cloud, on a lattice that starts at the least coordinates of what is left of it.
+/// @return no voxels when the crop leaves no points
+VoxelCloud voxelGrid(const MovedPoints& points, const VoxelGridSettings& settings);
 
 }  // namespace fodscope

@@ -36,6 +36,69 @@ TEST(VoxelGrid, GivesMeansAndCountsInLexicographicOrder) {
     EXPECT_EQ(std::accumulate(voxels.weights.begin(), voxels.weights.end(), 0u), 2000u);
 }
 
+/// In plain steps, with the points of a voxel added up in their own order.
+VoxelCloud plainVoxelGrid(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& origin, double size_m) {
+    std::map<std::array<double, 3>, std::pair<Eigen::Vector3d, std::uint32_t>> sums;
+    for (const Eigen::Vector3d& point : points) {
+        const Eigen::Vector3d cell = ((point - origin) / size_m).array().floor();
+        auto& [sum, count] =
+            sums.try_emplace({cell.x(), cell.y(), cell.z()}, Eigen::Vector3d::Zero(), 0u).first->second;
+        sum += point;
+        ++count;
+    }
+    VoxelCloud voxels;
+    for (const auto& [cell, voxel] : sums) {
+        voxels.points.push_back(voxel.first / voxel.second);
+        voxels.weights.push_back(voxel.second);
+    }
+    return voxels;
+}
+
+void expectEqual(const VoxelCloud& voxels, const VoxelCloud& expected) {
+    EXPECT_EQ(voxels.points, expected.points);
+    EXPECT_EQ(voxels.weights, expected.weights);
+}
+
+TEST(VoxelGrid, GivesTheSameToTheLastBitInDenseAndSparseAndFarLattices) {
+    // Enough for several threads, and negative coordinates.
+    std::vector<Eigen::Vector3d> points = randomPoints(70'000, 22);
+    for (Eigen::Vector3d& point : points)
+        point = 2.0 * point - Eigen::Vector3d(1.0, 0.5, 3.0);
+    for (const Eigen::Vector3d& origin :
+         {Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(0.17, -0.03, 0.4), Eigen::Vector3d(3e8, -3e8, 0.0)}) {
+        for (const double size_m : {0.05, 0.3, 7.0})
+            expectEqual(voxelGrid(points, origin, {size_m}), plainVoxelGrid(points, origin, size_m));
+    }
+    points.emplace_back(20'000.0, -20'000.0, 20'000.0);
+    expectEqual(voxelGrid(points, Eigen::Vector3d::Zero(), {0.05}),
+                plainVoxelGrid(points, Eigen::Vector3d::Zero(), 0.05));
+}
+
+TEST(VoxelGrid, OfMovedPointsIsThatOfACopyMovedAndCropped) {
+    const std::vector<Eigen::Vector3d> points = randomPoints(40'000, 23);
+    MovedPoints moved{points};
+    moved.T_target_from_points.translate(Eigen::Vector3d(0.2, -0.1, 3.0));
+    moved.T_target_from_points.rotate(Eigen::AngleAxisd(0.7, Eigen::Vector3d(0.2, 0.3, 0.9).normalized()));
+    expectEqual(voxelGrid(moved, {0.05}), [&] {
+        std::vector<Eigen::Vector3d> copy;
+        for (const Eigen::Vector3d& point : points)
+            copy.push_back(moved.T_target_from_points * point);
+        return plainVoxelGrid(copy, minimumCorner(copy), 0.05);
+    }());
+    moved.low = {0.1, 0.1, 3.1};
+    moved.high = {0.6, 0.7, 3.8};
+    std::vector<Eigen::Vector3d> inside;
+    for (const Eigen::Vector3d& point : points) {
+        const Eigen::Vector3d there = moved.T_target_from_points * point;
+        if ((there.array() > moved.low.array()).all() && (there.array() < moved.high.array()).all())
+            inside.push_back(there);
+    }
+    ASSERT_GT(inside.size(), 1000u);
+    expectEqual(voxelGrid(moved, {0.05}), plainVoxelGrid(inside, minimumCorner(inside), 0.05));
+    moved.high = moved.low;
+    EXPECT_EQ(voxelGrid(moved, {0.05}).size(), 0u);
+}
+
 TEST(VoxelGrid, PutsAPointOnTheBorderIntoTheUpperVoxel) {
     const std::vector<Eigen::Vector3d> points{{0.0, 0.0, 0.0}, {0.5, 0.0, 0.0}, {-0.5, 0.0, 0.0}};
     const VoxelCloud voxels = voxelGrid(points, Eigen::Vector3d::Zero(), {0.5});
