@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "core/detection/Discrepancy.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
+#include "core/cloud/Bounds.h"
 #include "core/cloud/RandomSample.h"
 #include "core/cloud/VoxelGrid.h"
 #include "core/common/Error.h"
@@ -37,27 +42,16 @@ void check(const DiscrepancySettings& settings) {
 }
 
 /// Strictly inside the reference's bounds, as the published code does; the crop height lowers the upper one.
-std::vector<Eigen::Vector3d> cropped(std::span<const Eigen::Vector3d> map, const Transform& T_reference_from_map,
-                                     const ReferenceMap& reference, const DiscrepancySettings& settings) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Eigen::Vector3d low = Eigen::Vector3d::Constant(-infinity);
-    Eigen::Vector3d high = Eigen::Vector3d::Constant(infinity);
+MovedPoints cropped(std::span<const Eigen::Vector3d> map, const Transform& T_reference_from_map,
+                    const ReferenceMap& reference, const DiscrepancySettings& settings) {
+    MovedPoints points{map, T_reference_from_map};
     if (settings.cropToReference) {
-        low = minimumCorner(reference.points);
-        high = maximumCorner(reference.points);
+        const Bounds bounds = boundsOf(reference.points);
+        points.low = bounds.low;
+        points.high = bounds.high;
     }
-    if (settings.cropHeight_m) high.z() = std::min(high.z(), *settings.cropHeight_m);
-    std::vector<Eigen::Vector3d> inside;
-    inside.reserve(map.size());
-    for (const Eigen::Vector3d& point : map) {
-        const Eigen::Vector3d moved = T_reference_from_map * point;
-        if ((moved.array() > low.array()).all() && (moved.array() < high.array()).all()) inside.push_back(moved);
-    }
-    if (inside.empty()) {
-        throw Error("map", "no point of it lies within the reference map (below the crop height)",
-                    "check that map and reference show the same space, the transform and the crop height");
-    }
-    return inside;
+    if (settings.cropHeight_m) points.high.z() = std::min(points.high.z(), *settings.cropHeight_m);
+    return points;
 }
 
 void check(const ReferenceMap& reference) {
@@ -71,28 +65,42 @@ void check(const ReferenceMap& reference) {
 /// Paper eq. "M-dist_local".
 void measureMahalanobis(const ReferenceMap& reference, DiscrepancyField& field) {
     field.mahalanobis.assign(field.size(), std::numeric_limits<double>::quiet_NaN());
-    for (std::size_t i = 0; i < field.size(); ++i) {
-        const std::uint32_t nearest = field.nearest[i];
-        if (!reference.untrained.empty() && reference.untrained[nearest] != 0) continue;
-        if (!reference.covariance[nearest].allFinite()) continue;
-        const Eigen::LLT<Eigen::Matrix3d> factor(reference.covariance[nearest]);
-        if (factor.info() != Eigen::Success) continue;
-        const Eigen::Vector3d deviation = field.points[i] - reference.points[nearest];
-        field.mahalanobis[i] = factor.matrixL().solve(deviation).norm();
-    }
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, field.size(), 1024), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            const std::uint32_t nearest = field.nearest[i];
+            if (!reference.untrained.empty() && reference.untrained[nearest] != 0) continue;
+            if (!reference.covariance[nearest].allFinite()) continue;
+            const Eigen::LLT<Eigen::Matrix3d> factor(reference.covariance[nearest]);
+            if (factor.info() != Eigen::Success) continue;
+            const Eigen::Vector3d deviation = field.points[i] - reference.points[nearest];
+            field.mahalanobis[i] = factor.matrixL().solve(deviation).norm();
+        }
+    });
 }
 
-/// The map in voxels, or a share of its points in their order.
-VoxelCloud thinned(const std::vector<Eigen::Vector3d>& points, const DiscrepancySettings& settings) {
-    if (settings.downSampling == DownSampling::Voxel) {
-        return voxelGrid(points, minimumCorner(points), {settings.voxelSize_m});
+VoxelCloud sampled(const MovedPoints& map, const DiscrepancySettings& settings) {
+    std::vector<Eigen::Vector3d> inside;
+    for (std::size_t i = 0; i < map.size(); ++i) {
+        Eigen::Vector3d point;
+        if (map.get(i, point)) inside.push_back(point);
     }
     VoxelCloud kept;
     const auto seed = static_cast<std::uint64_t>(settings.randomSeed);
-    for (const std::uint32_t index : randomSample(points.size(), settings.randomRatio, seed))
-        kept.points.push_back(points[index]);
+    for (const std::uint32_t index : randomSample(inside.size(), settings.randomRatio, seed))
+        kept.points.push_back(inside[index]);
     kept.weights.assign(kept.size(), 1);
     return kept;
+}
+
+/// The map in voxels, or a share of its points in their order.
+VoxelCloud thinned(const MovedPoints& map, const DiscrepancySettings& settings) {
+    VoxelCloud voxels =
+        settings.downSampling == DownSampling::Voxel ? voxelGrid(map, {settings.voxelSize_m}) : sampled(map, settings);
+    if (voxels.size() == 0) {
+        throw Error("map", "no point of it lies within the reference map (below the crop height)",
+                    "check that map and reference show the same space, the transform and the crop height");
+    }
+    return voxels;
 }
 
 /// Σ w_j n_j d_j / Σ w_j n_j over those neighbours whose discrepancy is known.

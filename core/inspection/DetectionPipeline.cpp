@@ -5,6 +5,7 @@
 #include <chrono>
 #include <utility>
 
+#include "core/cloud/Bounds.h"
 #include "core/common/Error.h"
 #include "core/inspection/ParameterTable.h"
 
@@ -29,8 +30,7 @@ class StageClock {
 };
 
 void requireFinite(const std::string& subject, const std::vector<Eigen::Vector3d>& points) {
-    const bool isFinite = std::ranges::all_of(points, [](const Eigen::Vector3d& point) { return point.allFinite(); });
-    if (!isFinite) throw Error(subject, "a coordinate is not finite", "drop such points first");
+    if (!boundsOf(points).areFinite) throw Error(subject, "a coordinate is not finite", "drop such points first");
 }
 
 void requireGood(const Parameters& parameters) {
@@ -44,6 +44,7 @@ void requireGood(const Parameters& parameters) {
 
 void DetectionPipeline::setReference(std::shared_ptr<const ReferenceMap> reference) {
     reference_ = std::move(reference);
+    inputsAreFinite_ = false;
     kept_.registrationSettings.reset();
     kept_.floorHeight_m.reset();
     forgetDiscrepancy();
@@ -51,6 +52,7 @@ void DetectionPipeline::setReference(std::shared_ptr<const ReferenceMap> referen
 
 void DetectionPipeline::setMap(std::shared_ptr<const PointCloud> map) {
     map_ = std::move(map);
+    inputsAreFinite_ = false;
     kept_.denoiseSettings.reset();
     kept_.registrationSettings.reset();
     forgetDiscrepancy();
@@ -159,8 +161,11 @@ const DetectionResult& DetectionPipeline::run(const Parameters& parameters, Prog
         throw Error("reference", "has no covariances, which the Mahalanobis metric needs",
                     "use the Euclidean metric, or a reference made from nominal maps");
     }
-    requireFinite("reference", reference_->points);
-    requireFinite("map", map_->points);
+    if (!inputsAreFinite_) {
+        requireFinite("reference", reference_->points);
+        requireFinite("map", map_->points);
+        inputsAreFinite_ = true;
+    }
     requireGood(parameters);
     Seconds seconds;
     denoise(parameters.denoise, seconds, progress);

@@ -82,6 +82,8 @@ class DetectionPipeline {
 
     std::shared_ptr<const ReferenceMap> reference_;
     std::shared_ptr<const PointCloud> map_;
+    /// Looked through once, not for every moved threshold.
+    bool inputsAreFinite_ = false;
     std::optional<Transform> givenTransform_;
     std::optional<Transform> start_;
     Kept kept_;
