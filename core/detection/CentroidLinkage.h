@@ -6,13 +6,30 @@
 #include <vector>
 
 #include "core/common/Progress.h"
+#include "core/detection/ClusterGrid.h"
 #include "core/detection/HierarchicalClustering.h"
 
 namespace fodscope {
 
-/// The merges of centroid linkage up to a cutoff, in order; see mergeSequence().
-/// @param places points, no two of them the same, each with the number of points that it stands for
-std::vector<Merge> centroidMerges(std::span<const Eigen::Vector3d> places, std::span<const double> weights,
-                                  double cutoff_m, Progress& progress);
+/// Centroid linkage as far as it has come: its clusters, and what it takes to go on to a greater cutoff; see
+/// mergeSequence().
+///
+/// It goes up to its cutoff in rounds, each with a cutoff half as great again as that of the round before. That changes nothing:
+/// which pair is merged next depends on the living clusters alone, and a round ends where no pair is within its cutoff,
+/// which is where the whole agglomeration comes by too, before its first merge beyond. But all that live in a round are
+/// farther apart than the cutoff of the round before, so that few of them share a cell of a grid as wide as the reach.
+class CentroidAgglomeration {
+  public:
+    /// @param clusters no two at the same place, of different ids
+    explicit CentroidAgglomeration(std::vector<LivingCluster> clusters) : living_(std::move(clusters)) {}
+
+    /// Appends the merges up to a cutoff, in order. When it throws, the agglomeration is of no more use.
+    void advance(double cutoff_m, std::vector<Merge>& merges, Progress& progress);
+
+    const std::vector<LivingCluster>& living() const { return living_; }
+
+  private:
+    std::vector<LivingCluster> living_;
+};
 
 }  // namespace fodscope

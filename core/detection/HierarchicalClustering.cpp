@@ -2,11 +2,11 @@
 #include "core/detection/HierarchicalClustering.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <string>
-#include <tuple>
 
 #include "core/common/Error.h"
 #include "core/detection/CentroidLinkage.h"
@@ -33,42 +33,56 @@ void checkPoints(std::span<const Eigen::Vector3d> points) {
 }
 
 /// Points at the same place are merged at distance 0 before anything else and their centroid does not move, so they
-/// may start as one cluster with a weight. Places are in the order of their first points.
+/// may start as one cluster with a count. Places are in the order of their first points, which are their ids.
 struct Places {
-    std::vector<Eigen::Vector3d> positions;
-    std::vector<double> weights;
-    std::vector<std::uint32_t> firstPoint;
+    std::vector<LivingCluster> clusters;
     /// Those that make the places.
     std::vector<Merge> merges;
 };
 
-Places placesOf(std::span<const Eigen::Vector3d> points) {
-    std::vector<std::uint32_t> order(points.size());
-    std::iota(order.begin(), order.end(), 0u);
-    const auto key = [&](std::uint32_t i) { return std::tie(points[i].x(), points[i].y(), points[i].z()); };
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b) || (key(a) == key(b) && a < b); });
-    std::vector<std::uint32_t> first(points.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const bool isSame = i > 0 && key(order[i]) == key(order[i - 1]);
-        first[order[i]] = isSame ? first[order[i - 1]] : order[i];
+std::uint64_t hashOf(const Eigen::Vector3d& point) {
+    std::uint64_t hash = 0;
+    for (const double coordinate : {point.x(), point.y(), point.z()}) {
+        // Negative zero is the same place.
+        hash = (hash ^ std::bit_cast<std::uint64_t>(coordinate + 0.0)) * 0x9E3779B97F4A7C15u;
+        hash ^= hash >> 32;
     }
+    return hash;
+}
+
+Places placesOf(std::span<const Eigen::Vector3d> points) {
+    constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
     Places places;
-    std::vector<std::uint32_t> placeOfPoint(points.size());
+    places.clusters.reserve(points.size());
+    std::vector<std::uint32_t> table(std::bit_ceil(2 * points.size()), none);
+    const std::uint64_t mask = table.size() - 1;
     for (std::uint32_t i = 0; i < points.size(); ++i) {
-        if (first[i] == i) {
-            placeOfPoint[i] = static_cast<std::uint32_t>(places.positions.size());
-            places.positions.push_back(points[i]);
-            places.weights.push_back(1.0);
-            places.firstPoint.push_back(i);
+        std::uint64_t at = hashOf(points[i]) & mask;
+        while (table[at] != none && places.clusters[table[at]].centroid != points[i])
+            at = (at + 1) & mask;
+        if (table[at] == none) {
+            table[at] = static_cast<std::uint32_t>(places.clusters.size());
+            places.clusters.push_back({points[i], i, 1});
         } else {
-            places.weights[placeOfPoint[first[i]]] += 1.0;
-            places.merges.push_back({first[i], i, 0.0});
+            LivingCluster& place = places.clusters[table[at]];
+            ++place.count;
+            places.merges.push_back({place.id, i, 0.0});
         }
     }
     // The pair with the lowest first point goes first.
     std::ranges::stable_sort(places.merges, {}, &Merge::kept);
     return places;
+}
+
+/// Single linkage knows places by their position in the list.
+void appendSingleMerges(const std::vector<LivingCluster>& places, double cutoff_m, std::vector<Merge>& merges,
+                        Progress& progress) {
+    std::vector<Eigen::Vector3d> positions;
+    positions.reserve(places.size());
+    for (const LivingCluster& place : places)
+        positions.push_back(place.centroid);
+    for (const Merge& merge : singleMerges(positions, cutoff_m, progress))
+        merges.push_back({places[merge.kept].id, places[merge.removed].id, merge.distance_m});
 }
 
 }  // namespace
@@ -81,13 +95,11 @@ MergeSequence mergeSequence(std::span<const Eigen::Vector3d> points, Linkage lin
     MergeSequence sequence{points.size(), largestCutoff_m, {}};
     if (points.empty()) return sequence;
     Places places = placesOf(points);
-    const std::vector<Merge> later = linkage == Linkage::Single
-                                         ? singleMerges(places.positions, largestCutoff_m, progress)
-                                         : centroidMerges(places.positions, places.weights, largestCutoff_m, progress);
     sequence.merges = std::move(places.merges);
-    sequence.merges.reserve(sequence.merges.size() + later.size());
-    for (const Merge& merge : later)
-        sequence.merges.push_back({places.firstPoint[merge.kept], places.firstPoint[merge.removed], merge.distance_m});
+    if (linkage == Linkage::Single)
+        appendSingleMerges(places.clusters, largestCutoff_m, sequence.merges, progress);
+    else
+        CentroidAgglomeration(std::move(places.clusters)).advance(largestCutoff_m, sequence.merges, progress);
     return sequence;
 }
 

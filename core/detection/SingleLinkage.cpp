@@ -8,7 +8,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "core/detection/CentroidTree.h"
+#include "core/detection/SquaredDistance.h"
 
 namespace fodscope {
 namespace {
