@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/registration/OrderedSum.h"
+
 namespace fodscope {
 namespace {
 
@@ -25,37 +27,22 @@ constexpr double kLeastScale_m = 0.003;
 /// about the same over so far.
 constexpr double kCorrelationLength_m = 3.0;
 
-struct Moved {
-    std::vector<Eigen::Vector3d> centres;
-    std::vector<Neighbour> nearest;
-};
-
-Moved moved(const SurfacePatches& source, std::span<const std::uint32_t> chosen, const SurfacePatches& target,
-            const Transform& transform, Progress& progress) {
-    Moved moved;
-    moved.centres.reserve(chosen.size());
-    for (const std::uint32_t i : chosen)
-        moved.centres.push_back(transform * source.all()[i].centre);
-    Progress inner([&](const std::string&, double) { progress.throwIfCancelled(); });
-    moved.nearest = target.index().nearestOfEach(moved.centres, inner);
-    return moved;
-}
-
-std::vector<PlaneEquation> equationsAt(const SurfacePatches& source, std::span<const std::uint32_t> chosen,
-                                       const SurfacePatches& target, const Transform& transform, double reach_m,
-                                       Progress& progress) {
-    const Moved at = moved(source, chosen, target, transform, progress);
-    std::vector<PlaneEquation> equations;
-    equations.reserve(chosen.size());
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-        if (at.nearest[i].squaredDistance_m2 > reach_m * reach_m) continue;
-        const SurfacePatch& from = source.all()[chosen[i]];
-        const SurfacePatch& to = target.all()[at.nearest[i].index];
-        const double alignment = std::abs(to.normal.dot(transform.linear() * from.normal));
-        if (alignment < kLeastAlignment) continue;
-        equations.push_back({at.centres[i], to.normal, to.normal.dot(at.centres[i] - to.centre),
-                             alignment * from.planarity * to.planarity});
-    }
+std::vector<PlaneEquation> equationsOf(const PatchPairs& pairs, const Transform& transform, double reach_m) {
+    constexpr double kNone = -1.0;
+    std::vector<PlaneEquation> equations(pairs.size());
+    forEachPart(pairs.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+        for (std::size_t i = begin; i < end; ++i) {
+            equations[i].weight = kNone;
+            if (pairs.squaredDistance_m2(i) > reach_m * reach_m) continue;
+            const SurfacePatch& from = pairs.sourcePatch(i);
+            const SurfacePatch& to = pairs.targetPatch(i);
+            const double alignment = std::abs(to.normal.dot(transform.linear() * from.normal));
+            if (alignment < kLeastAlignment) continue;
+            equations[i] = {pairs.centre(i), to.normal, to.normal.dot(pairs.centre(i) - to.centre),
+                            alignment * from.planarity * to.planarity};
+        }
+    });
+    std::erase_if(equations, [](const PlaneEquation& equation) { return equation.weight < 0.0; });
     return equations;
 }
 
@@ -103,22 +90,29 @@ Transform moveBy(const MotionEquations::Vector& step, const MotionEquations& mot
 
 }  // namespace
 
-PlaneFit fitToPlanes(const SurfacePatches& source, std::span<const std::uint32_t> chosen, const SurfacePatches& target,
-                     const Transform& start, const PlaneFitSettings& settings, const std::string& stage,
-                     Progress& progress) {
+void PatchPairs::moveTo(const Transform& T_target_from_source, Progress& progress) {
+    for (std::size_t i = 0; i < chosen_.size(); ++i)
+        centres_[i] = T_target_from_source * source_.all()[chosen_[i]].centre;
+    pairs_ = nearest_.nearestOf(centres_, progress);
+}
+
+PlaneFit fitToPlanes(PatchPairs& pairs, const Transform& start, const PlaneFitSettings& settings,
+                     const std::string& stage, Progress& progress) {
     PlaneFit fit;
     fit.T_target_from_source = start;
+    const double voxelSize_m = pairs.target().voxelSize_m();
     double least_m = settings.maximumCorrespondence_m;
+    std::vector<PlaneEquation> equations;
+    MotionEquations motion;
     while (fit.iterations < settings.maximumIterations) {
         progress.report(stage, static_cast<double>(fit.iterations) / settings.maximumIterations);
-        const double reach_m = std::min(std::max(least_m, kReach_voxels * target.voxelSize_m()),
-                                        std::max(settings.maximumCorrespondence_m, target.voxelSize_m()));
-        std::vector<PlaneEquation> equations =
-            equationsAt(source, chosen, target, fit.T_target_from_source, reach_m, progress);
-        fit.uncertainty.reset();
+        const double reach_m = std::min(std::max(least_m, kReach_voxels * voxelSize_m),
+                                        std::max(settings.maximumCorrespondence_m, voxelSize_m));
+        pairs.moveTo(fit.T_target_from_source, progress);
+        equations = equationsOf(pairs, fit.T_target_from_source, reach_m);
         if (equations.size() < kLeastPairs) return fit;
         const double limit_m = weigh(equations, least_m);
-        const MotionEquations motion = motionEquations(equations);
+        motion = motionEquations(equations);
         if (!(motion.weight > 0.0)) return fit;
         const MotionEquations::Vector delta = step(motion);
         fit.T_target_from_source = moveBy(delta, motion) * fit.T_target_from_source;
@@ -126,31 +120,28 @@ PlaneFit fitToPlanes(const SurfacePatches& source, std::span<const std::uint32_t
             Eigen::Quaterniond(fit.T_target_from_source.linear()).normalized().toRotationMatrix();
         ++fit.iterations;
         const bool shrunk = least_m <= limit_m / 2.0;
-        fit.uncertainty = poseUncertainty(equations, motion, kCorrelationLength_m);
-        if (shrunk && delta.cwiseAbs().maxCoeff() < settings.tolerance_m) {
-            fit.converged = true;
-            return fit;
-        }
+        fit.converged = shrunk && delta.cwiseAbs().maxCoeff() < settings.tolerance_m;
+        if (fit.converged) break;
         least_m *= kShrink;
     }
+    if (fit.iterations > 0) fit.uncertainty = poseUncertainty(equations, motion, kCorrelationLength_m);
     return fit;
 }
 
-double explainedShare(const SurfacePatches& source, std::span<const std::uint32_t> chosen, const SurfacePatches& target,
-                      const Transform& T_target_from_source, double tolerance_m, Progress& progress) {
-    if (chosen.empty()) return 0.0;
-    const Moved at = moved(source, chosen, target, T_target_from_source, progress);
-    const double reach_m = std::max(tolerance_m, kReach_voxels * target.voxelSize_m());
+double explainedShare(PatchPairs& pairs, const Transform& T_target_from_source, double tolerance_m,
+                      Progress& progress) {
+    if (pairs.size() == 0) return 0.0;
+    pairs.moveTo(T_target_from_source, progress);
+    const double reach_m = std::max(tolerance_m, kReach_voxels * pairs.target().voxelSize_m());
     std::size_t explained = 0;
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-        if (at.nearest[i].squaredDistance_m2 > reach_m * reach_m) continue;
-        const SurfacePatch& to = target.all()[at.nearest[i].index];
-        const double alignment =
-            std::abs(to.normal.dot(T_target_from_source.linear() * source.all()[chosen[i]].normal));
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (pairs.squaredDistance_m2(i) > reach_m * reach_m) continue;
+        const SurfacePatch& to = pairs.targetPatch(i);
+        const double alignment = std::abs(to.normal.dot(T_target_from_source.linear() * pairs.sourcePatch(i).normal));
         if (alignment < kLeastAlignment) continue;
-        if (std::abs(to.normal.dot(at.centres[i] - to.centre)) <= tolerance_m) ++explained;
+        if (std::abs(to.normal.dot(pairs.centre(i) - to.centre)) <= tolerance_m) ++explained;
     }
-    return static_cast<double>(explained) / static_cast<double>(chosen.size());
+    return static_cast<double>(explained) / static_cast<double>(pairs.size());
 }
 
 }  // namespace fodscope

@@ -4,12 +4,46 @@
 #include <Eigen/Core>
 #include <span>
 #include <string>
+#include <vector>
 
-#include "core/cloud/NeighbourIndex.h"
 #include "core/common/Geometry.h"
 #include "core/common/Progress.h"
+#include "core/registration/FollowedNeighbours.h"
 
 namespace fodscope {
+
+/// Points of a source and the nearest target of each, at one pose after another. Poses that lie near each other cost
+/// little after the first one.
+class PointPairs {
+  public:
+    /// @param target the points that `index` searches; all must outlive this
+    PointPairs(std::span<const Eigen::Vector3d> source, std::span<const Eigen::Vector3d> target,
+               const NeighbourIndex& index)
+        : source_(source), target_(target), nearest_(index, target), moved_(source.size()) {}
+
+    void moveTo(const Transform& T_target_from_source, Progress& progress);
+
+    std::span<const Eigen::Vector3d> source() const { return source_; }
+    std::span<const Eigen::Vector3d> target() const { return target_; }
+    /// The source points at the present pose, target frame.
+    std::span<const Eigen::Vector3d> moved() const { return moved_; }
+    std::span<const Neighbour> nearest() const { return pairs_; }
+
+    struct Closeness {
+        /// Share of the source points whose nearest target is at most that far.
+        double share = 0.0;
+        /// Root mean square distance of these.
+        double rms_m = 0.0;
+    };
+    Closeness within(double maximumDistance_m) const;
+
+  private:
+    std::span<const Eigen::Vector3d> source_;
+    std::span<const Eigen::Vector3d> target_;
+    FollowedNeighbours nearest_;
+    std::vector<Eigen::Vector3d> moved_;
+    std::span<const Neighbour> pairs_;
+};
 
 struct PointFitSettings {
     /// Pairs farther apart are ignored. Paper's robot: 0.5 m.
@@ -29,9 +63,8 @@ struct PointFit {
 /// rigid motion of the pairs, again. It must begin near the solution. What it makes least is what the discrepancy
 /// measures, the distances to the nearest reference points; the price is that equal lattices lock on each other, so the
 /// source's voxels must be finer than the target's. The result does not depend on the number of threads.
-/// @param target the points that `index` searches
-PointFit fitToPoints(std::span<const Eigen::Vector3d> source, std::span<const Eigen::Vector3d> target,
-                     const NeighbourIndex& index, const Transform& start, const PointFitSettings& settings,
+/// @param pairs source and target; when it has converged, at the resulting pose
+PointFit fitToPoints(PointPairs& pairs, const Transform& start, const PointFitSettings& settings,
                      const std::string& stage, Progress& progress);
 
 }  // namespace fodscope

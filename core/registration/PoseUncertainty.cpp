@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <set>
 
+#include "core/registration/OrderedSum.h"
+
 namespace fodscope {
 namespace {
 
@@ -36,6 +38,28 @@ double independentPlaces(std::span<const PlaneEquation> equations, const Eigen::
     return static_cast<double>(std::max<std::size_t>(cells.size(), 1));
 }
 
+struct WeightedSum {
+    Eigen::Vector3d points = Eigen::Vector3d::Zero();
+    double weight = 0.0;
+
+    WeightedSum& operator+=(const WeightedSum& other) {
+        points += other.points;
+        weight += other.weight;
+        return *this;
+    }
+};
+
+struct NormalEquations {
+    Matrix6 information = Matrix6::Zero();
+    Vector6 gradient = Vector6::Zero();
+
+    NormalEquations& operator+=(const NormalEquations& other) {
+        information += other.information;
+        gradient += other.gradient;
+        return *this;
+    }
+};
+
 double meanSquare_m2(std::span<const PlaneEquation> equations, double weight) {
     double sum_m2 = 0.0;
     for (const PlaneEquation& equation : equations)
@@ -54,21 +78,35 @@ Vector6 MotionEquations::row(const PlaneEquation& equation, const Eigen::Vector3
 
 MotionEquations motionEquations(std::span<const PlaneEquation> equations) {
     MotionEquations motion;
-    for (const PlaneEquation& equation : equations) {
-        motion.centre += equation.weight * equation.point_reference;
-        motion.weight += equation.weight;
-    }
+    const auto middle = orderedSum<WeightedSum>(equations.size(), [&](std::size_t begin, std::size_t end) {
+        WeightedSum sum;
+        for (const PlaneEquation& equation : equations.subspan(begin, end - begin)) {
+            sum.points += equation.weight * equation.point_reference;
+            sum.weight += equation.weight;
+        }
+        return sum;
+    });
+    motion.weight = middle.weight;
     if (!(motion.weight > 0.0)) return motion;
-    motion.centre /= motion.weight;
-    double squares_m2 = 0.0;
-    for (const PlaneEquation& equation : equations)
-        squares_m2 += equation.weight * (equation.point_reference - motion.centre).squaredNorm();
+    motion.centre = middle.points / middle.weight;
+    const auto squares_m2 = orderedSum<double>(equations.size(), [&](std::size_t begin, std::size_t end) {
+        double sum_m2 = 0.0;
+        for (const PlaneEquation& equation : equations.subspan(begin, end - begin))
+            sum_m2 += equation.weight * (equation.point_reference - motion.centre).squaredNorm();
+        return sum_m2;
+    });
     motion.length_m = std::max(std::sqrt(squares_m2 / motion.weight), 1e-6);
-    for (const PlaneEquation& equation : equations) {
-        const Vector6 row = MotionEquations::row(equation, motion.centre, motion.length_m);
-        motion.information.noalias() += equation.weight * row * row.transpose();
-        motion.gradient -= equation.weight * equation.residual_m * row;
-    }
+    const auto normal = orderedSum<NormalEquations>(equations.size(), [&](std::size_t begin, std::size_t end) {
+        NormalEquations sum;
+        for (const PlaneEquation& equation : equations.subspan(begin, end - begin)) {
+            const Vector6 row = MotionEquations::row(equation, motion.centre, motion.length_m);
+            sum.information.noalias() += equation.weight * row * row.transpose();
+            sum.gradient -= equation.weight * equation.residual_m * row;
+        }
+        return sum;
+    });
+    motion.information = normal.information;
+    motion.gradient = normal.gradient;
     const Eigen::SelfAdjointEigenSolver<Matrix6> solver(motion.information / motion.weight);
     motion.eigenvalues = solver.eigenvalues();
     motion.eigenvectors = solver.eigenvectors();

@@ -62,36 +62,26 @@ class Judge {
   public:
     Judge(std::span<const Eigen::Vector3d> map, std::span<const Eigen::Vector3d> reference,
           const RegistrationSettings& settings, Progress& progress)
-        : settings_(settings), progress_(progress), reference_(reference), index_(reference) {
-        voxels_map_ = voxelMeans(map, settings.mapVoxelSize_m);
-    }
+        : settings_(settings),
+          progress_(progress),
+          index_(reference),
+          voxels_map_(voxelMeans(map, settings.mapVoxelSize_m)),
+          pairs_(voxels_map_, reference, index_) {}
 
-    PoseAlternative judged(const Transform& transform) const {
-        std::vector<Eigen::Vector3d> moved;
-        moved.reserve(voxels_map_.size());
-        for (const Eigen::Vector3d& point : voxels_map_)
-            moved.push_back(transform * point);
-        Progress inner([&](const std::string&, double) { progress_.throwIfCancelled(); });
-        std::size_t overlapping = 0;
-        double sum_m2 = 0.0;
-        const double limit_m2 = settings_.overlapDistance_m * settings_.overlapDistance_m;
-        for (const Neighbour& neighbour : index_.nearestOfEach(moved, inner)) {
-            if (neighbour.squaredDistance_m2 > limit_m2) continue;
-            ++overlapping;
-            sum_m2 += neighbour.squaredDistance_m2;
-        }
+    PoseAlternative judged(const Transform& transform) {
+        pairs_.moveTo(transform, progress_);
+        const PointPairs::Closeness closeness = pairs_.within(settings_.overlapDistance_m);
         PoseAlternative judged;
         judged.T_reference_from_map = transform;
-        if (overlapping == 0) return judged;
-        judged.overlap = static_cast<double>(overlapping) / static_cast<double>(voxels_map_.size());
-        judged.rms_m = std::sqrt(sum_m2 / static_cast<double>(overlapping));
+        judged.overlap = closeness.share;
+        judged.rms_m = closeness.rms_m;
         return judged;
     }
 
     /// @return the pose refined point to point; empty when it does not settle, or leaves for somewhere else
-    std::optional<Transform> refined(const Transform& pose) const {
+    std::optional<Transform> refined(const Transform& pose) {
         const PointFitSettings settings{settings_.maximumCorrespondence_m, settings_.maximumIterations};
-        const PointFit fit = fitToPoints(voxels_map_, reference_, index_, pose, settings, kRefineStage, progress_);
+        const PointFit fit = fitToPoints(pairs_, pose, settings, kRefineStage, progress_);
         if (!fit.converged) return std::nullopt;
         double squares_m2 = 0.0;
         for (const Eigen::Vector3d& voxel : voxels_map_)
@@ -104,9 +94,9 @@ class Judge {
   private:
     const RegistrationSettings& settings_;
     Progress& progress_;
-    std::span<const Eigen::Vector3d> reference_;
     NeighbourIndex index_;
     std::vector<Eigen::Vector3d> voxels_map_;
+    PointPairs pairs_;
 };
 
 struct FittedPose {
@@ -134,12 +124,16 @@ class Fitter {
 
     FittedPose fine(const Transform& start) const {
         const PlaneFitSettings settings{settings_.maximumCorrespondence_m, settings_.maximumIterations};
-        FittedPose pose{fitToPlanes(map_, planar_, reference_, start, settings, kFineStage, progress_), 0.0};
-        pose.explained = explained(scoreSample_, pose.fit.T_target_from_source, progress_);
+        PatchPairs pairs(map_, planar_, reference_);
+        FittedPose pose{fitToPlanes(pairs, start, settings, kFineStage, progress_), 0.0};
+        pose.explained = explained(pose.fit.T_target_from_source);
         return pose;
     }
 
-    double explained(const Transform& pose) const { return explained(scoreSample_, pose, progress_); }
+    double explained(const Transform& pose) const {
+        PatchPairs pairs(map_, scoreSample_, reference_);
+        return explainedShare(pairs, pose, settings_.overlapDistance_m, progress_);
+    }
 
     /// Poses from anywhere, finely fitted and all different, the best first.
     std::vector<FittedPose> fromAnywhere() const {
@@ -161,10 +155,6 @@ class Fitter {
     }
 
   private:
-    double explained(std::span<const std::uint32_t> sample, const Transform& pose, Progress& progress) const {
-        return explainedShare(map_, sample, reference_, pose, settings_.overlapDistance_m, progress);
-    }
-
     /// A coarse fit from each proposal of the search, and from the identity: nominal maps may lie there already.
     std::vector<FittedPose> coarseFits() const {
         std::vector<Transform> proposals = searchPlan(map_, reference_, kProposals, progress_);
@@ -176,8 +166,10 @@ class Fitter {
             progress_.report(kCoarseStage, static_cast<double>(first) / static_cast<double>(proposals.size()));
             tbb::parallel_for(first, std::min(first + kTogether, proposals.size()), [&](std::size_t i) {
                 Progress inner([&](const std::string&, double) { progress_.throwIfCancelled(); });
-                fits[i].fit = fitToPlanes(map_, coarseSample_, reference_, proposals[i], settings, kCoarseStage, inner);
-                fits[i].explained = explained(coarseSample_, fits[i].fit.T_target_from_source, inner);
+                PatchPairs pairs(map_, coarseSample_, reference_);
+                fits[i].fit = fitToPlanes(pairs, proposals[i], settings, kCoarseStage, inner);
+                fits[i].explained =
+                    explainedShare(pairs, fits[i].fit.T_target_from_source, settings_.overlapDistance_m, inner);
             });
         }
         std::ranges::stable_sort(fits,
@@ -216,7 +208,7 @@ class Alignment {
           fitter_(map, reference, settings, progress),
           judge_(map, reference, settings, progress) {}
 
-    RegistrationResult aligned(const std::optional<Transform>& start) const {
+    RegistrationResult aligned(const std::optional<Transform>& start) {
         RegistrationResult result = fitted(start);
         // What the map does not hold, the nearest points do not hold either.
         const bool isHeld = !isLoose(result);
@@ -232,7 +224,7 @@ class Alignment {
     }
 
   private:
-    RegistrationResult fitted(const std::optional<Transform>& start) const {
+    RegistrationResult fitted(const std::optional<Transform>& start) {
         if (!fitter_.hasSurfaces()) {
             RegistrationResult nothing = resultOf({}, start);
             nothing.T_reference_from_map = start.value_or(Transform::Identity());
@@ -250,7 +242,7 @@ class Alignment {
         return searched(start);
     }
 
-    RegistrationResult resultOf(const FittedPose& pose, const std::optional<Transform>& start) const {
+    RegistrationResult resultOf(const FittedPose& pose, const std::optional<Transform>& start) {
         const PoseAlternative judged = judge_.judged(pose.fit.T_target_from_source);
         RegistrationResult result;
         result.T_reference_from_map = judged.T_reference_from_map;
@@ -276,7 +268,7 @@ class Alignment {
         return result.uncertainty && (result.uncertainty->looseTurn || result.uncertainty->looseDirections.size() > 1);
     }
 
-    RegistrationResult searched(const std::optional<Transform>& start) const {
+    RegistrationResult searched(const std::optional<Transform>& start) {
         const std::vector<FittedPose> poses = fitter_.fromAnywhere();
         RegistrationResult result = resultOf(poses.front(), start);
         if (!fits(result) || isFarTooLoose(result)) return result;

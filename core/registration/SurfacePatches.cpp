@@ -83,18 +83,17 @@ std::size_t directionOf(const Eigen::Vector3d& normal) {
 
 SurfacePatches::SurfacePatches(std::span<const Eigen::Vector3d> points, double voxelSize_m, Progress& progress)
     : voxelSize_m_(voxelSize_m),
-      centres_(voxelMeans(points, voxelSize_m)),
-      index_(centres_),
-      patches_(centres_.size()) {
-    Progress inner([&](const std::string&, double) { progress.throwIfCancelled(); });
-    const Eigen::Vector3d origin = 0.5 * (minimumCorner(centres_) + maximumCorner(centres_));
-    const pcl::PointCloud<pcl::PointXYZ> cloud = pclPoints(centres_, origin);
+      places_(voxelMeans(points, voxelSize_m)),
+      index_(places_),
+      patches_(places_.size()) {
+    const Eigen::Vector3d origin = 0.5 * (minimumCorner(places_) + maximumCorner(places_));
+    const pcl::PointCloud<pcl::PointXYZ> cloud = pclPoints(places_, origin);
     index_.forEachKNearest(
-        centres_, kNeighbours,
+        places_, kNeighbours,
         [&](std::size_t i, std::span<const Neighbour> neighbours) {
-            patches_[i] = patchFrom(centres_[i], neighbours, cloud, origin, kReach_voxels * voxelSize_m_);
+            patches_[i] = patchFrom(places_[i], neighbours, cloud, origin, kReach_voxels * voxelSize_m_);
         },
-        inner, "surfaces");
+        progress);
 }
 
 std::vector<std::uint32_t> SurfacePatches::balancedSample(std::size_t count) const {

@@ -30,7 +30,10 @@ class SurfacePatches {
 
     std::span<const SurfacePatch> all() const { return patches_; }
     std::size_t size() const { return patches_.size(); }
+    /// The search over places().
     const NeighbourIndex& index() const { return index_; }
+    /// The voxel means; a patch's centre is its place moved onto its plane.
+    std::span<const Eigen::Vector3d> places() const { return places_; }
     double voxelSize_m() const { return voxelSize_m_; }
 
     /// A share of the patches in which no direction of the surfaces has much more than its part, so that a large flat
@@ -40,7 +43,7 @@ class SurfacePatches {
 
   private:
     double voxelSize_m_;
-    std::vector<Eigen::Vector3d> centres_;
+    std::vector<Eigen::Vector3d> places_;
     NeighbourIndex index_;
     std::vector<SurfacePatch> patches_;
 };
