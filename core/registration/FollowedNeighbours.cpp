@@ -11,6 +11,7 @@ namespace {
 
 /// Of the distances: far more than their rounding.
 constexpr double kRounding = 1e-12;
+constexpr std::size_t kMostToSearchAlone = 20'000;
 
 double slack_m2(std::span<const Neighbour> nearestTwo) {
     if (nearestTwo.size() < 2) return std::numeric_limits<double>::infinity();
@@ -29,8 +30,7 @@ double squaredDistance_m2(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 }  // namespace
 
-std::span<const Neighbour> FollowedNeighbours::nearestOf(std::span<const Eigen::Vector3d> queries,
-                                                         Progress& progress) {
+std::span<const Neighbour> FollowedNeighbours::nearestOf(std::span<const Eigen::Vector3d> queries, Progress& progress) {
     known_.resize(queries.size());
     nearest_.resize(queries.size());
     search(queries, followed(queries), progress);
@@ -57,17 +57,24 @@ std::vector<std::uint32_t> FollowedNeighbours::followed(std::span<const Eigen::V
 
 void FollowedNeighbours::search(std::span<const Eigen::Vector3d> queries, std::span<const std::uint32_t> lost,
                                 Progress& progress) {
+    const auto keep = [&](std::uint32_t i, std::span<const Neighbour> found) {
+        known_[i] = {queries[i], slack_m2(found)};
+        nearest_[i] = found.front();
+    };
+    // Few points lie far apart: searching them in groups of neighbours would gain nothing.
+    if (lost.size() <= kMostToSearchAlone) {
+        forEachPart(lost.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+            for (const std::uint32_t i : lost.subspan(begin, end - begin))
+                keep(i, index_.kNearest(queries[i], 2));
+        });
+        return;
+    }
     std::vector<Eigen::Vector3d> places;
     places.reserve(lost.size());
     for (const std::uint32_t i : lost)
         places.push_back(queries[i]);
     index_.forEachKNearest(
-        places, 2,
-        [&](std::size_t k, std::span<const Neighbour> found) {
-            known_[lost[k]] = {places[k], slack_m2(found)};
-            nearest_[lost[k]] = found.front();
-        },
-        progress);
+        places, 2, [&](std::size_t k, std::span<const Neighbour> found) { keep(lost[k], found); }, progress);
 }
 
 }  // namespace fodscope

@@ -10,7 +10,7 @@
 namespace fodscope {
 
 /// Sizes of the parts that work on many points is divided into.
-inline constexpr std::size_t kPart = 4096;
+inline constexpr std::size_t kPart = 2048;
 
 /// Calls `work(begin, end, part)` for parts of 0 … count − 1, in parallel.
 template <class Work>

@@ -101,7 +101,7 @@ PlaneFit fitToPlanes(PatchPairs& pairs, const Transform& start, const PlaneFitSe
     PlaneFit fit;
     fit.T_target_from_source = start;
     const double voxelSize_m = pairs.target().voxelSize_m();
-    double least_m = settings.maximumCorrespondence_m;
+    double least_m = std::min(settings.firstLimit_m, settings.maximumCorrespondence_m);
     std::vector<PlaneEquation> equations;
     MotionEquations motion;
     while (fit.iterations < settings.maximumIterations) {

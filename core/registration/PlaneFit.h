@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,11 +18,14 @@
 namespace fodscope {
 
 struct PlaneFitSettings {
-    /// Pairs farther apart are ignored. The limit shrinks with every step down to what the residuals warrant.
+    /// Pairs farther apart are ignored.
     double maximumCorrespondence_m = 0.5;
     int maximumIterations = 200;
     /// Settled when a step moves no part of the map by more than this.
     double tolerance_m = 1e-5;
+    /// The limit of the residuals shrinks with every step down to what they warrant, and begins here or at the largest
+    /// correspondence. From near the solution it may begin low.
+    double firstLimit_m = std::numeric_limits<double>::infinity();
 };
 
 struct PlaneFit {
@@ -72,7 +76,6 @@ PlaneFit fitToPlanes(PatchPairs& pairs, const Transform& start, const PlaneFitSe
 
 /// The share of the pairs whose surfaces are one at a pose.
 /// @param tolerance_m how far from the target's plane a patch may lie
-double explainedShare(PatchPairs& pairs, const Transform& T_target_from_source, double tolerance_m,
-                      Progress& progress);
+double explainedShare(PatchPairs& pairs, const Transform& T_target_from_source, double tolerance_m, Progress& progress);
 
 }  // namespace fodscope

@@ -104,8 +104,8 @@ PointFit fitToPoints(PointPairs& pairs, const Transform& start, const PointFitSe
         if (sums.count < kLeastPairs) return fit;
         const double share = sums.count / static_cast<double>(pairs.source().size());
         const double rms_m = std::sqrt(sums.squares_m2 / sums.count);
-        fit.converged = std::abs(share - earlierShare) < settings.tolerance &&
-                        std::abs(rms_m - earlierRms_m) < settings.tolerance;
+        fit.converged =
+            std::abs(share - earlierShare) < settings.tolerance && std::abs(rms_m - earlierRms_m) < settings.tolerance;
         if (fit.converged) return fit;
         earlierShare = share;
         earlierRms_m = rms_m;

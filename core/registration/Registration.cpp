@@ -26,12 +26,20 @@ constexpr const char* kRefineStage = "refining the alignment";
 constexpr const char* kJudgeStage = "judging the alignment";
 
 constexpr std::size_t kProposals = 24;
+constexpr std::size_t kGlanceSample = 400;
 constexpr std::size_t kCoarseSample = 1500;
 constexpr std::size_t kScoreSample = 6000;
+constexpr int kGlanceIterations = 6;
 constexpr int kCoarseIterations = 16;
 constexpr double kCoarseTolerance_m = 1e-4;
-/// What a coarse fit may still gain: poses that fall behind the best by more than the margin and this are dropped.
+/// What a coarse fit, or a glance, may still gain: poses that fall behind the best by more than the margin and this are
+/// dropped.
 constexpr double kCoarseReserve = 0.1;
+constexpr double kGlanceReserve = 0.3;
+/// Glances that move the map's parts by less than this from each other lead to the same pose.
+constexpr double kSameGlance_m = 0.05;
+/// A coarse fit is off by less than this.
+constexpr double kFromCoarse_m = 0.1;
 constexpr std::size_t kMostAlternatives = 5;
 /// Poses that move the map's parts by less than this from each other are one.
 constexpr double kSamePose_m = 0.15;
@@ -113,6 +121,7 @@ class Fitter {
           progress_(progress),
           map_(map, settings.coarseVoxelSize_m, progress),
           reference_(reference, settings.coarseVoxelSize_m, progress),
+          glanceSample_(map_.balancedSample(kGlanceSample)),
           coarseSample_(map_.balancedSample(kCoarseSample)),
           scoreSample_(map_.balancedSample(kScoreSample)) {
         for (std::uint32_t i = 0; i < map_.size(); ++i) {
@@ -122,13 +131,7 @@ class Fitter {
 
     bool hasSurfaces() const { return planar_.size() >= kLeastPatches && reference_.size() >= kLeastPatches; }
 
-    FittedPose fine(const Transform& start) const {
-        const PlaneFitSettings settings{settings_.maximumCorrespondence_m, settings_.maximumIterations};
-        PatchPairs pairs(map_, planar_, reference_);
-        FittedPose pose{fitToPlanes(pairs, start, settings, kFineStage, progress_), 0.0};
-        pose.explained = explained(pose.fit.T_target_from_source);
-        return pose;
-    }
+    FittedPose fine(const Transform& start) const { return fine(start, settings_.maximumCorrespondence_m); }
 
     double explained(const Transform& pose) const {
         PatchPairs pairs(map_, scoreSample_, reference_);
@@ -137,17 +140,18 @@ class Fitter {
 
     /// Poses from anywhere, finely fitted and all different, the best first.
     std::vector<FittedPose> fromAnywhere() const {
-        std::vector<FittedPose> coarse = coarseFits();
         std::vector<FittedPose> fine;
+        std::vector<Transform> known;
         double best = 0.0;
-        for (const FittedPose& pose : coarse) {
+        for (const FittedPose& pose : coarseFits()) {
             if (fine.size() > kMostAlternatives) break;
             if (pose.explained < best - settings_.ambiguityMargin - kCoarseReserve) continue;
-            if (isKnown(fine, pose)) continue;
-            const FittedPose settled = this->fine(pose.fit.T_target_from_source);
-            if (isKnown(fine, settled)) continue;
+            if (isAmong(known, pose.fit.T_target_from_source, kSamePose_m)) continue;
+            const FittedPose settled = this->fine(pose.fit.T_target_from_source, kFromCoarse_m);
+            if (isAmong(known, settled.fit.T_target_from_source, kSamePose_m)) continue;
             best = std::max(best, settled.explained);
             fine.push_back(settled);
+            known.push_back(settled.fit.T_target_from_source);
         }
         std::ranges::stable_sort(fine,
                                  [](const FittedPose& a, const FittedPose& b) { return a.explained > b.explained; });
@@ -155,37 +159,57 @@ class Fitter {
     }
 
   private:
-    /// A coarse fit from each proposal of the search, and from the identity: nominal maps may lie there already.
+    FittedPose fine(const Transform& start, double firstLimit_m) const {
+        PlaneFitSettings settings{settings_.maximumCorrespondence_m, settings_.maximumIterations};
+        settings.firstLimit_m = firstLimit_m;
+        PatchPairs pairs(map_, planar_, reference_);
+        FittedPose pose{fitToPlanes(pairs, start, settings, kFineStage, progress_), 0.0};
+        pose.explained = explained(pose.fit.T_target_from_source);
+        return pose;
+    }
+
+    /// Coarse fits from the proposals of the search, and from the identity: nominal maps may lie there already. A few
+    /// steps with few patches tell which proposals lead nowhere, and which to the same pose.
     std::vector<FittedPose> coarseFits() const {
         std::vector<Transform> proposals = searchPlan(map_, reference_, kProposals, progress_);
         proposals.push_back(Transform::Identity());
-        std::vector<FittedPose> fits(proposals.size());
-        const PlaneFitSettings settings{settings_.maximumCorrespondence_m, kCoarseIterations, kCoarseTolerance_m};
-        constexpr std::size_t kTogether = 4;
-        for (std::size_t first = 0; first < proposals.size(); first += kTogether) {
-            progress_.report(kCoarseStage, static_cast<double>(first) / static_cast<double>(proposals.size()));
-            tbb::parallel_for(first, std::min(first + kTogether, proposals.size()), [&](std::size_t i) {
-                Progress inner([&](const std::string&, double) { progress_.throwIfCancelled(); });
-                PatchPairs pairs(map_, coarseSample_, reference_);
-                fits[i].fit = fitToPlanes(pairs, proposals[i], settings, kCoarseStage, inner);
-                fits[i].explained =
-                    explainedShare(pairs, fits[i].fit.T_target_from_source, settings_.overlapDistance_m, inner);
-            });
+        std::vector<Transform> promising;
+        double best = 0.0;
+        for (const FittedPose& pose : fitsFrom(proposals, glanceSample_, kGlanceIterations)) {
+            best = std::max(best, pose.explained);
+            if (pose.explained < best - settings_.ambiguityMargin - kGlanceReserve) break;
+            if (!isAmong(promising, pose.fit.T_target_from_source, kSameGlance_m))
+                promising.push_back(pose.fit.T_target_from_source);
         }
+        return fitsFrom(promising, coarseSample_, kCoarseIterations);
+    }
+
+    /// A fit with some patches from each start, the best first.
+    std::vector<FittedPose> fitsFrom(std::span<const Transform> starts, std::span<const std::uint32_t> sample,
+                                     int iterations) const {
+        progress_.report(kCoarseStage, 0.0);
+        std::vector<FittedPose> fits(starts.size());
+        const PlaneFitSettings settings{settings_.maximumCorrespondence_m, iterations, kCoarseTolerance_m};
+        tbb::parallel_for(std::size_t{0}, starts.size(), [&](std::size_t i) {
+            Progress inner([&](const std::string&, double) { progress_.throwIfCancelled(); });
+            PatchPairs pairs(map_, sample, reference_);
+            fits[i].fit = fitToPlanes(pairs, starts[i], settings, kCoarseStage, inner);
+            fits[i].explained =
+                explainedShare(pairs, fits[i].fit.T_target_from_source, settings_.overlapDistance_m, inner);
+        });
         std::ranges::stable_sort(fits,
                                  [](const FittedPose& a, const FittedPose& b) { return a.explained > b.explained; });
         return fits;
     }
 
-    bool isKnown(const std::vector<FittedPose>& known, const FittedPose& pose) const {
-        return std::ranges::any_of(known, [&](const FittedPose& other) {
+    bool isAmong(std::span<const Transform> known, const Transform& pose, double distance_m) const {
+        return std::ranges::any_of(known, [&](const Transform& other) {
             double squares_m2 = 0.0;
             for (const std::uint32_t i : coarseSample_) {
-                const Eigen::Vector3d& point = map_.all()[i].centre;
-                squares_m2 +=
-                    (pose.fit.T_target_from_source * point - other.fit.T_target_from_source * point).squaredNorm();
+                const Eigen::Vector3d& place = map_.all()[i].centre;
+                squares_m2 += (pose * place - other * place).squaredNorm();
             }
-            return squares_m2 < kSamePose_m * kSamePose_m * static_cast<double>(coarseSample_.size());
+            return squares_m2 < distance_m * distance_m * static_cast<double>(coarseSample_.size());
         });
     }
 
@@ -193,6 +217,7 @@ class Fitter {
     Progress& progress_;
     SurfacePatches map_;
     SurfacePatches reference_;
+    std::vector<std::uint32_t> glanceSample_;
     std::vector<std::uint32_t> coarseSample_;
     std::vector<std::uint32_t> scoreSample_;
     std::vector<std::uint32_t> planar_;

@@ -82,10 +82,7 @@ std::size_t directionOf(const Eigen::Vector3d& normal) {
 }  // namespace
 
 SurfacePatches::SurfacePatches(std::span<const Eigen::Vector3d> points, double voxelSize_m, Progress& progress)
-    : voxelSize_m_(voxelSize_m),
-      places_(voxelMeans(points, voxelSize_m)),
-      index_(places_),
-      patches_(places_.size()) {
+    : voxelSize_m_(voxelSize_m), places_(voxelMeans(points, voxelSize_m)), index_(places_), patches_(places_.size()) {
     const Eigen::Vector3d origin = 0.5 * (minimumCorner(places_) + maximumCorner(places_));
     const pcl::PointCloud<pcl::PointXYZ> cloud = pclPoints(places_, origin);
     index_.forEachKNearest(
