@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
-#include <span>
+#include <utility>
 #include <vector>
 
 #include "core/common/Progress.h"
@@ -14,10 +13,11 @@ namespace fodscope {
 /// Centroid linkage as far as it has come: its clusters, and what it takes to go on to a greater cutoff; see
 /// mergeSequence().
 ///
-/// It goes up to its cutoff in rounds, each with a cutoff half as great again as that of the round before. That changes nothing:
-/// which pair is merged next depends on the living clusters alone, and a round ends where no pair is within its cutoff,
-/// which is where the whole agglomeration comes by too, before its first merge beyond. But all that live in a round are
-/// farther apart than the cutoff of the round before, so that few of them share a cell of a grid as wide as the reach.
+/// It goes up to its cutoff in rounds, each with a cutoff half as great again as that of the round before. That changes
+/// nothing: which pair is merged next depends on the living clusters alone, and a round ends where no pair is within
+/// its cutoff, which is where the whole agglomeration comes by too, before its first merge beyond. But all that live in
+/// a round are farther apart than the cutoff of the round before, so that few of them share a cell of a grid as wide as
+/// the reach.
 class CentroidAgglomeration {
   public:
     /// @param clusters no two at the same place, of different ids
@@ -26,7 +26,8 @@ class CentroidAgglomeration {
     /// Appends the merges up to a cutoff, in order. When it throws, the agglomeration is of no more use.
     void advance(double cutoff_m, std::vector<Merge>& merges, Progress& progress);
 
-    const std::vector<LivingCluster>& living() const { return living_; }
+    /// @return the clusters that are left
+    std::vector<LivingCluster> release() { return std::move(living_); }
 
   private:
     std::vector<LivingCluster> living_;

@@ -2,14 +2,15 @@
 #include "core/detection/HierarchicalClustering.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "core/common/Error.h"
 #include "core/detection/CentroidLinkage.h"
+#include "core/detection/Places.h"
 #include "core/detection/SingleLinkage.h"
 
 namespace fodscope {
@@ -32,48 +33,6 @@ void checkPoints(std::span<const Eigen::Vector3d> points) {
     }
 }
 
-/// Points at the same place are merged at distance 0 before anything else and their centroid does not move, so they
-/// may start as one cluster with a count. Places are in the order of their first points, which are their ids.
-struct Places {
-    std::vector<LivingCluster> clusters;
-    /// Those that make the places.
-    std::vector<Merge> merges;
-};
-
-std::uint64_t hashOf(const Eigen::Vector3d& point) {
-    std::uint64_t hash = 0;
-    for (const double coordinate : {point.x(), point.y(), point.z()}) {
-        // Negative zero is the same place.
-        hash = (hash ^ std::bit_cast<std::uint64_t>(coordinate + 0.0)) * 0x9E3779B97F4A7C15u;
-        hash ^= hash >> 32;
-    }
-    return hash;
-}
-
-Places placesOf(std::span<const Eigen::Vector3d> points) {
-    constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-    Places places;
-    places.clusters.reserve(points.size());
-    std::vector<std::uint32_t> table(std::bit_ceil(2 * points.size()), none);
-    const std::uint64_t mask = table.size() - 1;
-    for (std::uint32_t i = 0; i < points.size(); ++i) {
-        std::uint64_t at = hashOf(points[i]) & mask;
-        while (table[at] != none && places.clusters[table[at]].centroid != points[i])
-            at = (at + 1) & mask;
-        if (table[at] == none) {
-            table[at] = static_cast<std::uint32_t>(places.clusters.size());
-            places.clusters.push_back({points[i], i, 1});
-        } else {
-            LivingCluster& place = places.clusters[table[at]];
-            ++place.count;
-            places.merges.push_back({place.id, i, 0.0});
-        }
-    }
-    // The pair with the lowest first point goes first.
-    std::ranges::stable_sort(places.merges, {}, &Merge::kept);
-    return places;
-}
-
 /// Single linkage knows places by their position in the list.
 void appendSingleMerges(const std::vector<LivingCluster>& places, double cutoff_m, std::vector<Merge>& merges,
                         Progress& progress) {
@@ -87,20 +46,46 @@ void appendSingleMerges(const std::vector<LivingCluster>& places, double cutoff_
 
 }  // namespace
 
+GrowingMergeSequence::GrowingMergeSequence(std::span<const Eigen::Vector3d> points, Linkage linkage)
+    : linkage_(linkage) {
+    checkPoints(points);
+    Places places = placesOf(points);
+    sequence_ = {points.size(), 0.0, std::move(places.merges)};
+    samePlaceMerges_ = sequence_.merges.size();
+    clusters_ = std::move(places.clusters);
+}
+
+GrowingMergeSequence::~GrowingMergeSequence() = default;
+GrowingMergeSequence::GrowingMergeSequence(GrowingMergeSequence&&) noexcept = default;
+GrowingMergeSequence& GrowingMergeSequence::operator=(GrowingMergeSequence&&) noexcept = default;
+
+const MergeSequence& GrowingMergeSequence::upTo(double cutoff_m, Progress& progress) {
+    checkCutoff(cutoff_m);
+    progress.throwIfCancelled();
+    if (cutoff_m <= sequence_.largestCutoff_m) return sequence_;
+    if (linkage_ == Linkage::Single) {
+        sequence_.merges.resize(samePlaceMerges_);
+        appendSingleMerges(clusters_, cutoff_m, sequence_.merges, progress);
+    } else {
+        CentroidAgglomeration agglomeration(std::exchange(clusters_, {}));
+        agglomeration.advance(cutoff_m, sequence_.merges, progress);
+        clusters_ = agglomeration.release();
+    }
+    sequence_.largestCutoff_m = cutoff_m;
+    return sequence_;
+}
+
+MergeSequence GrowingMergeSequence::release() && {
+    return std::move(sequence_);
+}
+
 MergeSequence mergeSequence(std::span<const Eigen::Vector3d> points, Linkage linkage, double largestCutoff_m,
                             Progress& progress) {
     checkCutoff(largestCutoff_m);
-    checkPoints(points);
     progress.throwIfCancelled();
-    MergeSequence sequence{points.size(), largestCutoff_m, {}};
-    if (points.empty()) return sequence;
-    Places places = placesOf(points);
-    sequence.merges = std::move(places.merges);
-    if (linkage == Linkage::Single)
-        appendSingleMerges(places.clusters, largestCutoff_m, sequence.merges, progress);
-    else
-        CentroidAgglomeration(std::move(places.clusters)).advance(largestCutoff_m, sequence.merges, progress);
-    return sequence;
+    GrowingMergeSequence sequence(points, linkage);
+    sequence.upTo(largestCutoff_m, progress);
+    return std::move(sequence).release();
 }
 
 std::vector<std::uint32_t> clustersAt(const MergeSequence& sequence, double cutoff_m) {

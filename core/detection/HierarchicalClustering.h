@@ -46,6 +46,32 @@ struct MergeSequence {
 MergeSequence mergeSequence(std::span<const Eigen::Vector3d> points, Linkage linkage, double largestCutoff_m,
                             Progress& progress);
 
+struct LivingCluster;
+
+/// A merge sequence that goes on from where it is when a greater cutoff is asked for.
+class GrowingMergeSequence {
+  public:
+    /// @throws Error when a point is not finite
+    GrowingMergeSequence(std::span<const Eigen::Vector3d> points, Linkage linkage);
+    ~GrowingMergeSequence();
+    GrowingMergeSequence(GrowingMergeSequence&&) noexcept;
+    GrowingMergeSequence& operator=(GrowingMergeSequence&&) noexcept;
+
+    /// @return the merges up to the cutoff or beyond it: what mergeSequence() gives. When it throws Cancelled, the
+    ///         sequence is of no more use
+    /// @throws Error when the cutoff is negative or not finite; Cancelled
+    const MergeSequence& upTo(double cutoff_m, Progress& progress);
+
+    MergeSequence release() &&;
+
+  private:
+    Linkage linkage_;
+    MergeSequence sequence_;
+    std::size_t samePlaceMerges_ = 0;
+    /// Single linkage: the places. Centroid linkage: the clusters that are left.
+    std::vector<LivingCluster> clusters_;
+};
+
 /// The clusters at a cutoff: those at the first merge beyond it. This is the definition of scipy's
 /// `fcluster(linkage(X, method), cutoff, 'distance')`, for centroid linkage too, although its merges are not monotone
 /// (a merged centroid can be closer to a third cluster than the merged two were to each other): fcluster joins a node's
