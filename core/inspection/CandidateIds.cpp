@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
-#include <map>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -35,19 +35,23 @@ struct Overlap {
 std::vector<Overlap> overlapsOf(const CandidateSet& earlier, const CandidateSet& later) {
     // Indices of two different fields say nothing about each other.
     if (earlier.candidateOfVoxel.size() != later.candidateOfVoxel.size()) return {};
-    std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> shared;
-    for (std::size_t voxel = 0; voxel < later.candidateOfVoxel.size(); ++voxel) {
-        const auto pair = std::pair(earlier.candidateOfVoxel[voxel], later.candidateOfVoxel[voxel]);
-        if (pair.first >= 0 && pair.second >= 0) ++shared[pair];
-    }
     std::vector<Overlap> overlaps;
-    for (const auto& [pair, count] : shared) {
-        overlaps.push_back({count, static_cast<std::size_t>(pair.first), static_cast<std::size_t>(pair.second)});
+    std::vector<std::size_t> shared(earlier.candidates.size(), 0);
+    for (std::size_t i = 0; i < later.candidates.size(); ++i) {
+        const std::size_t first = overlaps.size();
+        for (const std::uint32_t voxel : later.candidates[i].voxels) {
+            const std::int32_t index = earlier.candidateOfVoxel[voxel];
+            if (index < 0) continue;
+            const auto before = static_cast<std::size_t>(index);
+            if (shared[before]++ == 0) overlaps.push_back({0, before, i});
+        }
+        for (Overlap& overlap : std::span(overlaps).subspan(first))
+            overlap.shared = std::exchange(shared[overlap.earlier], 0);
     }
+    std::vector<int> numbers(earlier.candidates.size());
+    std::ranges::transform(earlier.candidates, numbers.begin(), numberOf, &Candidate::id);
     std::ranges::sort(overlaps, [&](const Overlap& a, const Overlap& b) {
-        const int idA = numberOf(earlier.candidates[a.earlier].id);
-        const int idB = numberOf(earlier.candidates[b.earlier].id);
-        return std::tuple(b.shared, idA, a.later) < std::tuple(a.shared, idB, b.later);
+        return std::tuple(b.shared, numbers[a.earlier], a.later) < std::tuple(a.shared, numbers[b.earlier], b.later);
     });
     return overlaps;
 }

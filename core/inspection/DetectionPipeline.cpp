@@ -79,6 +79,7 @@ void DetectionPipeline::forgetDiscrepancy() {
     kept_.testSettings.reset();
     kept_.testedField.reset();
     kept_.candidateSettings.reset();
+    kept_.live.reset();
     kept_.coverageSettings.reset();
 }
 
@@ -138,9 +139,12 @@ void DetectionPipeline::cluster(const Parameters& parameters, Seconds& seconds, 
     if (kept_.candidateSettings == parameters.candidates) return;
     const StageClock clock(seconds, "candidates");
     if (!kept_.floorHeight_m) kept_.floorHeight_m = floorHeight(*reference_);
-    kept_.candidates = std::make_shared<CandidateSet>(findCandidates(
-        *fieldFor(parameters.candidates.metric), parameters.candidates, parameters.discrepancy.voxelSize_m,
-        *kept_.floorHeight_m, kept_.registration.T_reference_from_map, progress));
+    const auto& field = fieldFor(parameters.candidates.metric);
+    if (!kept_.live || kept_.live->field() != field) {
+        kept_.live.emplace(field, parameters.discrepancy.voxelSize_m, *kept_.floorHeight_m,
+                           kept_.registration.T_reference_from_map);
+    }
+    kept_.candidates = kept_.live->find(parameters.candidates, progress);
     kept_.candidateSettings = parameters.candidates;
 }
 

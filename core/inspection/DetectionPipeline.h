@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/cloud/PointCloud.h"
+#include "core/detection/LiveCandidates.h"
 #include "core/inspection/Parameters.h"
 #include "core/reference/ReferenceMap.h"
 
@@ -64,6 +65,8 @@ class DetectionPipeline {
         std::shared_ptr<const DiscrepancyField> testedField;
         std::optional<CandidateSettings> candidateSettings;
         std::shared_ptr<const CandidateSet> candidates;
+        /// Finds them anew when only their settings changed.
+        std::optional<LiveCandidates> live;
         std::optional<CoverageSettings> coverageSettings;
         std::shared_ptr<const Coverage> coverage;
         std::optional<double> floorHeight_m;

@@ -19,6 +19,8 @@
 #include "core/cloud/VoxelGrid.h"
 #include "core/common/Error.h"
 #include "core/detection/HierarchicalClustering.h"
+#include "core/detection/LiveCandidates.h"
+#include "tests/benchmark/DragPath.h"
 
 namespace fodscope {
 namespace {
@@ -27,6 +29,9 @@ struct Input {
     std::vector<Eigen::Vector3d> cloud;
     std::vector<Eigen::Vector3d> reference;
     double length_m = 0.0;
+    /// Voxels above the dragged threshold.
+    std::size_t fewestAbove = 100;
+    std::size_t mostAbove = 20'000;
 };
 
 double meanNearestDistance(const Input& input) {
@@ -82,6 +87,10 @@ const std::map<std::string, std::function<double(const Input&)>>& stages() {
     return all;
 }
 
+double secondsSince(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
 /// @return a line of the kernel's account of this process, bytes. Not getrusage(): what it calls the peak counts from
 ///         the process that started this one.
 std::size_t memory(const std::string& line) {
@@ -98,6 +107,28 @@ void forgetPeak() {
     std::ofstream("/proc/self/clear_refs") << "5";
 }
 
+/// Drags threshold and cutoff over discrepancies drawn on the cloud.
+nlohmann::json draggedThreshold(const Input& input, int rounds) {
+    const auto field = drawnField(input.cloud, 1);
+    std::vector<double> milliseconds;
+    for (int round = 0; round < rounds; ++round) {
+        LiveCandidates live(field, 0.02, 0.0, Transform::Identity());
+        for (const CandidateSettings& settings :
+             dragPath(*field, 300, input.fewestAbove, input.mostAbove, static_cast<std::uint64_t>(round))) {
+            Progress progress;
+            const auto begin = std::chrono::steady_clock::now();
+            live.find(settings, progress);
+            milliseconds.push_back(1000.0 * secondsSince(begin));
+        }
+    }
+    return {{"stage", "threshold-drag"},
+            {"points", input.cloud.size()},
+            {"moves", milliseconds.size()},
+            {"median_ms", quantileOf(milliseconds, 0.5)},
+            {"p95_ms", quantileOf(milliseconds, 0.95)},
+            {"greatest_ms", quantileOf(milliseconds, 1.0)}};
+}
+
 nlohmann::json timed(const std::string& stage, const Input& input, int rounds) {
     const std::size_t readingPeak = memory("VmHWM:");
     forgetPeak();
@@ -106,7 +137,7 @@ nlohmann::json timed(const std::string& stage, const Input& input, int rounds) {
     for (int round = 0; round < rounds; ++round) {
         const auto begin = std::chrono::steady_clock::now();
         result["result"] = stages().at(stage)(input);
-        result["seconds"].push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+        result["seconds"].push_back(secondsSince(begin));
     }
     result["peak_memory_bytes"] = std::max(readingPeak, memory("VmHWM:"));
     result["stage_memory_bytes"] = memory("VmHWM:") - before;
@@ -126,16 +157,22 @@ int main(int argc, char** argv) {
     std::vector<std::string> names;
     for (const auto& [name, run] : fodscope::stages())
         names.push_back(name);
+    names.push_back("threshold-drag");
     app.add_option("stage", stage, "what to time")->required()->check(CLI::IsMember(names));
     app.add_option("--cloud", cloud, "PCD or PLY")->required()->check(CLI::ExistingFile);
     app.add_option("--reference", reference, "PCD or PLY; for nearest")->check(CLI::ExistingFile);
     app.add_option("--length", input.length_m, "voxel size or cutoff, metres")->check(CLI::PositiveNumber);
     app.add_option("--rounds", rounds, "how often")->check(CLI::Range(1, 1000));
+    app.add_option("--fewest", input.fewestAbove, "threshold-drag: fewest voxels above the threshold")
+        ->check(CLI::PositiveNumber);
+    app.add_option("--most", input.mostAbove, "threshold-drag: most voxels above it")->check(CLI::PositiveNumber);
     CLI11_PARSE(app, argc, argv);
     try {
         input.cloud = fodscope::readPointCloud(cloud).points;
         if (!reference.empty()) input.reference = fodscope::readPointCloud(reference).points;
-        std::cout << fodscope::timed(stage, input, rounds) << "\n";
+        std::cout << (stage == "threshold-drag" ? fodscope::draggedThreshold(input, rounds)
+                                                : fodscope::timed(stage, input, rounds))
+                  << "\n";
     } catch (const std::exception& problem) {
         std::cerr << "error: " << problem.what() << "\n";
         return 1;

@@ -21,18 +21,19 @@ class Job : public QRunnable {
     std::function<void()> work_;
 };
 
-std::shared_ptr<const CandidateSet> find(const PreviewRequest& request, Progress& progress) {
+std::shared_ptr<const CandidateSet> find(const PreviewRequest& request, CandidateFinder& finder, Progress& progress) {
+    const DetectionRecord& detection = request.detection;
     auto candidates =
-        std::make_shared<CandidateSet>(findCandidates(*request.field, request.settings, request.voxelSize_m,
-                                                      request.floorHeight_m, request.T_reference_from_map, progress));
+        std::make_shared<CandidateSet>(*finder.find(detection, detection.field, request.settings, progress));
     int highest = request.highestCandidateNumber;
-    if (request.earlier) carryOverIds(*request.earlier, *candidates, highest);
+    if (detection.candidates) carryOverIds(*detection.candidates, *candidates, highest);
     return candidates;
 }
 
 }  // namespace
 
-CandidatePreview::CandidatePreview(QObject* parent) : QObject(parent) {
+CandidatePreview::CandidatePreview(std::shared_ptr<CandidateFinder> finder, QObject* parent)
+    : QObject(parent), finder_(std::move(finder)) {
     thread_.setMaxThreadCount(1);
     thread_.setExpiryTimeout(-1);
 }
@@ -61,11 +62,11 @@ void CandidatePreview::start(PreviewRequest request) {
     running_ = true;
     progress_ = std::make_shared<Progress>();
     const int number = ++wanted_;
-    thread_.start(new Job([this, number, request = std::move(request), progress = progress_] {
+    thread_.start(new Job([this, number, request = std::move(request), finder = finder_, progress = progress_] {
         std::shared_ptr<const CandidateSet> candidates;
         QString error;
         try {
-            candidates = find(request, *progress);
+            candidates = find(request, *finder, *progress);
         } catch (const Cancelled&) {
         } catch (const std::exception& failure) {
             error = sentenceOf(failure);

@@ -6,19 +6,15 @@
 #include <memory>
 #include <optional>
 
-#include "core/detection/Candidates.h"
+#include "ui/session/CandidateFinder.h"
 
 namespace fodscope {
 
 /// What a preview of candidates is made from.
 struct PreviewRequest {
-    std::shared_ptr<const DiscrepancyField> field;
+    /// Its candidates' ids are carried over.
+    DetectionRecord detection;
     CandidateSettings settings;
-    double voxelSize_m = 0.02;
-    double floorHeight_m = 0.0;
-    Transform T_reference_from_map = Transform::Identity();
-    /// The candidates whose ids are carried over.
-    std::shared_ptr<const CandidateSet> earlier;
     int highestCandidateNumber = 0;
 };
 
@@ -28,7 +24,7 @@ class CandidatePreview : public QObject {
     Q_OBJECT
 
   public:
-    explicit CandidatePreview(QObject* parent = nullptr);
+    explicit CandidatePreview(std::shared_ptr<CandidateFinder> finder, QObject* parent = nullptr);
     ~CandidatePreview() override;
 
     void request(PreviewRequest request);
@@ -46,6 +42,7 @@ class CandidatePreview : public QObject {
     void finish(int number, std::shared_ptr<const CandidateSet> candidates, const CandidateSettings& settings,
                 const QString& error);
 
+    std::shared_ptr<CandidateFinder> finder_;
     QThreadPool thread_;
     std::optional<PreviewRequest> next_;
     std::shared_ptr<Progress> progress_;

@@ -30,7 +30,9 @@ std::vector<Visit> resumable(std::vector<Visit> visits) {
 InspectionController::InspectionController(QObject* parent)
     : QObject(parent),
       pipeline_(std::make_shared<DetectionPipeline>()),
-      labeller_(QSettings().value(kLabeller).toString()) {
+      finder_(std::make_shared<CandidateFinder>()),
+      labeller_(QSettings().value(kLabeller).toString()),
+      previewer_(finder_) {
     connectParts();
 }
 

@@ -239,6 +239,7 @@ class InspectionController : public QObject {
     std::shared_ptr<const DiscrepancyField> residualsOf_;
     /// What was chosen before a reference without covariances took Mahalanobis away.
     std::optional<CandidateSettings> settingsWithCovariances_;
+    std::shared_ptr<CandidateFinder> finder_;
     std::shared_ptr<const CandidateSet> preview_;
     CandidateSettings previewSettings_;
     std::vector<CandidateVerdict> verdicts_;

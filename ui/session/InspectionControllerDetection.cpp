@@ -39,17 +39,6 @@ DetectionResult resultOf(const DetectionRecord& record, std::shared_ptr<const Di
     return result;
 }
 
-PreviewRequest previewRequest(const InspectionState& state, const CandidateSettings& settings) {
-    const DetectionRecord& detection = *state.detection;
-    return {detection.field,
-            settings,
-            detection.parameters.discrepancy.voxelSize_m,
-            detection.floorHeight_m,
-            detection.registration.T_reference_from_map,
-            detection.candidates,
-            state.highestCandidateNumber};
-}
-
 }  // namespace
 
 void InspectionController::remakeReference() {
@@ -201,7 +190,7 @@ bool InspectionController::candidatesAreFrozen() const {
 void InspectionController::previewCandidates(const CandidateSettings& settings) {
     if (!state().detection || !state().detection->field || candidatesAreFrozen()) return;
     previewSettings_ = settings;
-    previewer_.request(previewRequest(state(), settings));
+    previewer_.request({*state().detection, settings, state().highestCandidateNumber});
 }
 
 void InspectionController::commitCandidates(const CandidateSettings& settings) {
@@ -236,11 +225,10 @@ void InspectionController::keepCandidateSettings(const CandidateSettings& settin
         return;
     }
     runFor(Step::Candidates, tr("finding candidates"),
-           [this, parameters, afterwards, record = *state().detection](Progress& progress) -> TaskRunner::Adopt {
+           [this, parameters, afterwards, finder = finder_,
+            record = *state().detection](Progress& progress) -> TaskRunner::Adopt {
                const auto field = fieldFor(record, parameters, progress);
-               auto candidates = std::make_shared<const CandidateSet>(
-                   findCandidates(*field, parameters.candidates, record.parameters.discrepancy.voxelSize_m,
-                                  record.floorHeight_m, record.registration.T_reference_from_map, progress));
+               const auto candidates = finder->find(record, field, parameters.candidates, progress);
                return [this, parameters, afterwards, result = resultOf(record, field, candidates)] {
                    adoptCandidates(parameters, result);
                    if (afterwards) afterwards();

@@ -113,14 +113,13 @@ TEST(RecentSessions, RemembersTheStepOfEachInspection) {
 }
 
 TEST(CandidatePreview, LastRequestWins) {
-    const DetectionResult detection = sampleDetection();
-    CandidatePreview preview;
+    CandidatePreview preview(std::make_shared<CandidateFinder>());
     QSignalSpy ready(&preview, &CandidatePreview::ready);
     double shown = -1.0;
     QObject::connect(&preview, &CandidatePreview::ready, &preview,
                      [&](const auto&, const CandidateSettings& settings) { shown = settings.threshold; });
     PreviewRequest request;
-    request.field = detection.field;
+    request.detection.field = sampleDetection().field;
     request.settings.metric = Metric::Euclidean;
     for (int i = 0; i < 20; ++i) {
         request.settings.threshold = 0.001 * i;
@@ -132,11 +131,10 @@ TEST(CandidatePreview, LastRequestWins) {
 }
 
 TEST(CandidatePreview, DroppedPreviewNeverShows) {
-    const DetectionResult detection = sampleDetection();
-    CandidatePreview preview;
+    CandidatePreview preview(std::make_shared<CandidateFinder>());
     QSignalSpy ready(&preview, &CandidatePreview::ready);
     PreviewRequest request;
-    request.field = detection.field;
+    request.detection.field = sampleDetection().field;
     request.settings.metric = Metric::Euclidean;
     preview.request(request);
     preview.drop();
