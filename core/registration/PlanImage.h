@@ -12,9 +12,8 @@ namespace fodscope {
 /// A piece of an upright surface seen from above.
 struct PlanMark {
     Eigen::Vector2d place_m;
-    /// Direction of its normal in the plan; that and the opposite are the same.
-    double angle_rad = 0.0;
-    double weight = 0.0;
+    /// Towards twice the angle of its normal in the plan, for that and the opposite are the same; as long as it weighs.
+    Eigen::Vector2d doubledNormal = Eigen::Vector2d::Zero();
 };
 
 /// The upright surfaces of a levelled cloud, seen from above.
@@ -43,7 +42,15 @@ class PlanImage {
 /// @return spectrum of a picture
 cv::Mat spectrumOf(const PlanImage& image);
 
-/// @return at (dy, dx) the agreement of `map` shifted by (dx, dy) cells with the reference; shifts wrap round
-cv::Mat correlation(const cv::Mat& referenceSpectrum, const PlanImage& map);
+/// Pictures whose cells (dy, dx) hold how a map shifted by (dx, dy) cells agrees with the reference; shifts wrap round.
+struct Correlations {
+    cv::Mat asItIs;
+    /// Of the map turned half round: its cell (0, 0), seen from the corner that is then the last, comes to the shift.
+    cv::Mat turned;
+};
+
+/// Both at once, for the time of one: turning half round conjugates a spectrum, and the two real pictures come back as
+/// the parts of one complex picture.
+Correlations correlations(const cv::Mat& referenceSpectrum, const PlanImage& map);
 
 }  // namespace fodscope

@@ -17,6 +17,7 @@ constexpr const char* kStage = "searching the start pose";
 constexpr double kCell_voxels = 2.0;
 /// Larger plans get coarser cells.
 constexpr int kMostCells = 512;
+/// Divides a half turn.
 constexpr double kYawStep_rad = 3.0 / kDegreesPerRadian;
 constexpr double kBlur_cells = 1.0;
 constexpr std::size_t kPeaksOfAYaw = 6;
@@ -39,7 +40,10 @@ struct Plan {
     Eigen::Vector2d corner_m;
     double cellSize_m = 0.1;
     int edge_cells = 0;
-    double mapRadius_m = 0.0;
+    /// Of the map round its middle, in whole cells: turned half round, its cells come to lie on its cells.
+    int mapRadius_cells = 0;
+
+    double mapRadius_m() const { return mapRadius_cells * cellSize_m; }
 };
 
 Eigen::AlignedBox2d boundsOf(const std::vector<PlanMark>& marks) {
@@ -54,11 +58,13 @@ Plan planFor(const std::vector<PlanMark>& map, const std::vector<PlanMark>& refe
     const Eigen::AlignedBox2d mapBounds = boundsOf(map);
     const Eigen::AlignedBox2d referenceBounds = boundsOf(reference);
     plan.mapMiddle_m = mapBounds.center();
+    double mapRadius_m = 0.0;
     for (const PlanMark& mark : map)
-        plan.mapRadius_m = std::max(plan.mapRadius_m, (mark.place_m - plan.mapMiddle_m).norm());
-    const double extent_m = referenceBounds.sizes().maxCoeff() + 2.0 * plan.mapRadius_m;
-    plan.cellSize_m = std::max(kCell_voxels * voxelSize_m, extent_m / (kMostCells - 2));
-    plan.edge_cells = cv::getOptimalDFTSize(static_cast<int>(std::ceil(extent_m / plan.cellSize_m)) + 2);
+        mapRadius_m = std::max(mapRadius_m, (mark.place_m - plan.mapMiddle_m).norm());
+    const double extent_m = referenceBounds.sizes().maxCoeff() + 2.0 * mapRadius_m;
+    plan.cellSize_m = std::max(kCell_voxels * voxelSize_m, extent_m / (kMostCells - 4));
+    plan.edge_cells = cv::getOptimalDFTSize(static_cast<int>(std::ceil(extent_m / plan.cellSize_m)) + 4);
+    plan.mapRadius_cells = static_cast<int>(std::ceil(mapRadius_m / plan.cellSize_m));
     plan.corner_m = referenceBounds.min();
     return plan;
 }
@@ -69,41 +75,49 @@ Eigen::Rotation2Dd turnOf(int yaw) {
 
 PlanImage turnedMap(const std::vector<PlanMark>& map, const Plan& plan, int yaw) {
     // Its middle lies radius cells from the corner, so that all of it is in the picture at any yaw.
-    PlanImage image(Eigen::Vector2d::Constant(-plan.mapRadius_m - plan.cellSize_m / 2.0), plan.cellSize_m,
+    PlanImage image(Eigen::Vector2d::Constant(-plan.mapRadius_m() - plan.cellSize_m / 2.0), plan.cellSize_m,
                     plan.edge_cells);
-    const Eigen::Rotation2Dd turn = turnOf(yaw);
-    for (const PlanMark& mark : map) {
-        image.add({turn * (mark.place_m - plan.mapMiddle_m), mark.angle_rad + turn.angle(), mark.weight});
-    }
+    const Eigen::Matrix2d turn = turnOf(yaw).toRotationMatrix();
+    const Eigen::Matrix2d doubledTurn = turn * turn;
+    for (const PlanMark& mark : map)
+        image.add({turn * (mark.place_m - plan.mapMiddle_m), doubledTurn * mark.doubledNormal});
     image.compress();
     return image;
 }
 
-/// The greatest values of a correlation that are greater than those round them.
-std::vector<Peak> peaksOf(const cv::Mat& values, const Plan& plan, int yaw) {
-    std::vector<Peak> peaks;
-    const int edge = plan.edge_cells;
-    const auto at = [&](int y, int x) { return values.at<float>((y + edge) % edge, (x + edge) % edge); };
-    for (int y = 0; y < edge; ++y) {
-        for (int x = 0; x < edge; ++x) {
-            const float value = at(y, x);
-            if (value <= 0.0F) continue;
-            if (peaks.size() == kPeaksOfAYaw && value <= peaks.back().value) continue;
-            bool highest = true;
-            for (int dy = -1; dy <= 1 && highest; ++dy) {
-                for (int dx = -1; dx <= 1 && highest; ++dx)
-                    highest = (dy == 0 && dx == 0) || value >= at(y + dy, x + dx);
-            }
-            if (!highest) continue;
-            // The upper half of the shifts stands for negative ones.
-            const int dx = 2 * x > edge ? x - edge : x;
-            const int dy = 2 * y > edge ? y - edge : y;
-            const Peak peak{value, yaw, Eigen::Vector2d(dx, dy) * plan.cellSize_m};
-            const auto place = std::ranges::find_if(peaks, [&](const Peak& kept) { return kept.value < value; });
-            peaks.insert(place, peak);
-            if (peaks.size() > kPeaksOfAYaw) peaks.pop_back();
+bool isHighest(const cv::Mat& values, int y, int x) {
+    const int edge = values.rows;
+    for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+            if (values.at<float>((y + dy + edge) % edge, (x + dx + edge) % edge) > values.at<float>(y, x)) return false;
         }
     }
+    return true;
+}
+
+/// The greatest values of a correlation that are greater than those round them.
+/// @param none_cells where the correlation holds no shift, on both axes
+std::vector<Peak> peaksOf(const cv::Mat& values, const Plan& plan, int none_cells, int yaw, float scale) {
+    std::vector<Peak> peaks;
+    const int edge = plan.edge_cells;
+    // The upper half of the shifts stands for negative ones.
+    const auto shift = [&](int cell) {
+        const int wrapped = (cell - none_cells + 2 * edge) % edge;
+        return 2 * wrapped > edge ? wrapped - edge : wrapped;
+    };
+    float least = 0.0F;
+    for (int y = 0; y < edge; ++y) {
+        const auto* row = values.ptr<float>(y);
+        for (int x = 0; x < edge; ++x) {
+            if (row[x] <= least || !isHighest(values, y, x)) continue;
+            const Peak peak{row[x], yaw, Eigen::Vector2d(shift(x), shift(y)) * plan.cellSize_m};
+            peaks.insert(std::ranges::find_if(peaks, [&](const Peak& kept) { return kept.value < peak.value; }), peak);
+            if (peaks.size() > kPeaksOfAYaw) peaks.pop_back();
+            if (peaks.size() == kPeaksOfAYaw) least = peaks.back().value;
+        }
+    }
+    for (Peak& peak : peaks)
+        peak.value *= scale;
     return peaks;
 }
 
@@ -117,17 +131,19 @@ std::vector<Peak> allPeaks(const std::vector<PlanMark>& map, const std::vector<P
     const cv::Mat spectrum = spectrumOf(referenceImage);
     const int yaws = static_cast<int>(std::lround(2.0 * std::numbers::pi / kYawStep_rad));
     std::vector<std::vector<Peak>> peaks(static_cast<std::size_t>(yaws));
+    const int half = yaws / 2;
     constexpr int kTogether = 8;
-    for (int first = 0; first < yaws; first += kTogether) {
-        progress.report(kStage, static_cast<double>(first) / yaws);
-        tbb::parallel_for(first, std::min(first + kTogether, yaws), [&](int yaw) {
+    for (int first = 0; first < half; first += kTogether) {
+        progress.report(kStage, static_cast<double>(first) / half);
+        tbb::parallel_for(first, std::min(first + kTogether, half), [&](int yaw) {
             const PlanImage image = turnedMap(map, plan, yaw);
-            std::vector<Peak>& found = peaks[static_cast<std::size_t>(yaw)];
-            found = peaksOf(correlation(spectrum, image), plan, yaw);
+            const Correlations found = correlations(spectrum, image);
             // The more the cells hold, the more they agree with by chance.
             const auto scale = static_cast<float>(1.0 / std::max(image.norm(), 1e-9));
-            for (Peak& peak : found)
-                peak.value *= scale;
+            peaks[static_cast<std::size_t>(yaw)] = peaksOf(found.asItIs, plan, 0, yaw, scale);
+            // Its first cell has become the last.
+            peaks[static_cast<std::size_t>(yaw + half)] =
+                peaksOf(found.turned, plan, 2 * plan.mapRadius_cells, yaw + half, scale);
         });
     }
     std::vector<Peak> all;
@@ -247,7 +263,7 @@ std::vector<Transform> searchPlan(const SurfacePatches& map, const SurfacePatche
         // A mark at its turned place q was drawn at (q + radius + half a cell) / cell, one of the reference at
         // (p - corner) / cell; the shift makes them one.
         const Eigen::Vector2d place =
-            peak.shift_m + plan.corner_m + Eigen::Vector2d::Constant(plan.mapRadius_m + plan.cellSize_m / 2.0);
+            peak.shift_m + plan.corner_m + Eigen::Vector2d::Constant(plan.mapRadius_m() + plan.cellSize_m / 2.0);
         Transform turn = Transform::Identity();
         turn.linear() = Eigen::AngleAxisd(turnOf(peak.yaw).angle(), Eigen::Vector3d::UnitZ()).toRotationMatrix();
         turn.translation().head<2>() = place - turnOf(peak.yaw) * plan.mapMiddle_m;

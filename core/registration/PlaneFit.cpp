@@ -93,7 +93,7 @@ Transform moveBy(const MotionEquations::Vector& step, const MotionEquations& mot
 void PatchPairs::moveTo(const Transform& T_target_from_source, Progress& progress) {
     for (std::size_t i = 0; i < chosen_.size(); ++i)
         centres_[i] = T_target_from_source * source_.all()[chosen_[i]].centre;
-    pairs_ = nearest_.nearestOf(centres_, progress);
+    target_.places().update(centres_, pairs_, progress);
 }
 
 PlaneFit fitToPlanes(PatchPairs& pairs, const Transform& start, const PlaneFitSettings& settings,

@@ -11,7 +11,7 @@
 
 #include "core/common/Geometry.h"
 #include "core/common/Progress.h"
-#include "core/registration/FollowedNeighbours.h"
+#include "core/registration/NeighbourGraph.h"
 #include "core/registration/PoseUncertainty.h"
 #include "core/registration/SurfacePatches.h"
 
@@ -42,11 +42,7 @@ class PatchPairs {
   public:
     /// @param chosen the source patches to use; all must outlive this
     PatchPairs(const SurfacePatches& source, std::span<const std::uint32_t> chosen, const SurfacePatches& target)
-        : source_(source),
-          chosen_(chosen),
-          target_(target),
-          nearest_(target.index(), target.places()),
-          centres_(chosen.size()) {}
+        : source_(source), chosen_(chosen), target_(target), centres_(chosen.size()) {}
 
     void moveTo(const Transform& T_target_from_source, Progress& progress);
 
@@ -62,9 +58,8 @@ class PatchPairs {
     const SurfacePatches& source_;
     std::span<const std::uint32_t> chosen_;
     const SurfacePatches& target_;
-    FollowedNeighbours nearest_;
     std::vector<Eigen::Vector3d> centres_;
-    std::span<const Neighbour> pairs_;
+    std::vector<Neighbour> pairs_;
 };
 
 /// Point-to-plane ICP: every patch of the source goes to the plane of the nearest target patch whose normal agrees,

@@ -75,7 +75,7 @@ void PointPairs::moveTo(const Transform& T_target_from_source, Progress& progres
         for (std::size_t i = begin; i < end; ++i)
             moved_[i] = T_target_from_source * source_[i];
     });
-    pairs_ = nearest_.nearestOf(moved_, progress);
+    target_.update(moved_, pairs_, progress);
 }
 
 PointPairs::Closeness PointPairs::within(double maximumDistance_m) const {

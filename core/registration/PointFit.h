@@ -8,7 +8,7 @@
 
 #include "core/common/Geometry.h"
 #include "core/common/Progress.h"
-#include "core/registration/FollowedNeighbours.h"
+#include "core/registration/NeighbourGraph.h"
 
 namespace fodscope {
 
@@ -16,15 +16,14 @@ namespace fodscope {
 /// little after the first one.
 class PointPairs {
   public:
-    /// @param target the points that `index` searches; all must outlive this
-    PointPairs(std::span<const Eigen::Vector3d> source, std::span<const Eigen::Vector3d> target,
-               const NeighbourIndex& index)
-        : source_(source), target_(target), nearest_(index, target), moved_(source.size()) {}
+    /// Both must outlive this.
+    PointPairs(std::span<const Eigen::Vector3d> source, const NeighbourGraph& target)
+        : source_(source), target_(target), moved_(source.size()) {}
 
     void moveTo(const Transform& T_target_from_source, Progress& progress);
 
     std::span<const Eigen::Vector3d> source() const { return source_; }
-    std::span<const Eigen::Vector3d> target() const { return target_; }
+    std::span<const Eigen::Vector3d> target() const { return target_.points(); }
     /// The source points at the present pose, target frame.
     std::span<const Eigen::Vector3d> moved() const { return moved_; }
     std::span<const Neighbour> nearest() const { return pairs_; }
@@ -39,10 +38,9 @@ class PointPairs {
 
   private:
     std::span<const Eigen::Vector3d> source_;
-    std::span<const Eigen::Vector3d> target_;
-    FollowedNeighbours nearest_;
+    const NeighbourGraph& target_;
     std::vector<Eigen::Vector3d> moved_;
-    std::span<const Neighbour> pairs_;
+    std::vector<Neighbour> pairs_;
 };
 
 struct PointFitSettings {

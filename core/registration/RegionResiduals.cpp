@@ -153,7 +153,7 @@ RegionResiduals measureRegionResiduals(std::span<const Eigen::Vector3d> map, con
     moved.reserve(mapPatches.size());
     for (const SurfacePatch& patch : mapPatches.all())
         moved.push_back(T_reference_from_map * patch.centre);
-    const std::vector<Neighbour> nearest = referencePatches.index().nearestOfEach(moved, progress, kStage);
+    const std::vector<Neighbour> nearest = referencePatches.places().index().nearestOfEach(moved, progress, kStage);
     const double reach_m = std::max(settings.maximumOffset_m, kReach_voxels * settings.surfaceVoxelSize_m);
     std::vector<std::vector<double>> offsets_m(regions.all().size());
     for (std::size_t i = 0; i < moved.size(); ++i) {
@@ -174,7 +174,7 @@ RegionResiduals measureRegionResiduals(std::span<const Eigen::Vector3d> map, con
     for (std::size_t i = 0; i < offsets_m.size(); ++i)
         settle(residuals.regions[i], offsets_m[i], settings);
     residuals.regionOfPoint.reserve(reference.size());
-    for (const Neighbour& patch : referencePatches.index().nearestOfEach(reference, progress, kStage))
+    for (const Neighbour& patch : referencePatches.places().index().nearestOfEach(reference, progress, kStage))
         residuals.regionOfPoint.push_back(regions.ofPatch(patch.index));
     return residuals;
 }

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <vector>
 
-#include "core/cloud/NeighbourIndex.h"
 #include "core/cloud/VoxelGrid.h"
 #include "core/common/Error.h"
+#include "core/registration/NeighbourGraph.h"
 #include "core/registration/PlanSearch.h"
 #include "core/registration/PlaneFit.h"
 #include "core/registration/PointFit.h"
@@ -72,9 +72,9 @@ class Judge {
           const RegistrationSettings& settings, Progress& progress)
         : settings_(settings),
           progress_(progress),
-          index_(reference),
+          graph_(reference, progress),
           voxels_map_(voxelMeans(map, settings.mapVoxelSize_m)),
-          pairs_(voxels_map_, reference, index_) {}
+          pairs_(voxels_map_, graph_) {}
 
     PoseAlternative judged(const Transform& transform) {
         pairs_.moveTo(transform, progress_);
@@ -102,7 +102,7 @@ class Judge {
   private:
     const RegistrationSettings& settings_;
     Progress& progress_;
-    NeighbourIndex index_;
+    NeighbourGraph graph_;
     std::vector<Eigen::Vector3d> voxels_map_;
     PointPairs pairs_;
 };

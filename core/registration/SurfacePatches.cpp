@@ -11,12 +11,11 @@
 #include <numbers>
 
 #include "core/cloud/VoxelGrid.h"
+#include "core/registration/OrderedSum.h"
 
 namespace fodscope {
 namespace {
 
-/// Round a voxel on a plane lie eight others; some more bridge the gaps of a sparse map.
-constexpr std::size_t kNeighbours = 13;
 /// Neighbours farther off than this many voxels belong to another surface.
 constexpr double kReach_voxels = 3.0;
 /// Round the edge of two equal surfaces at a right angle the least spread (squared) is a quarter of the middle one.
@@ -40,12 +39,14 @@ pcl::PointCloud<pcl::PointXYZ> pclPoints(std::span<const Eigen::Vector3d> points
 }
 
 /// The plane through the neighbours that are within reach, from PCL's covariance and eigenvectors in double.
-SurfacePatch patchFrom(const Eigen::Vector3d& centre, std::span<const Neighbour> neighbours,
-                       const pcl::PointCloud<pcl::PointXYZ>& points, const Eigen::Vector3d& origin, double reach_m) {
-    pcl::Indices near;
-    for (const Neighbour& neighbour : neighbours) {
-        if (neighbour.squaredDistance_m2 > reach_m * reach_m) break;
-        near.push_back(static_cast<pcl::index_t>(neighbour.index));
+SurfacePatch patchAt(std::size_t place, const NeighbourGraph& graph, const pcl::PointCloud<pcl::PointXYZ>& points,
+                     const Eigen::Vector3d& origin, double reach_m) {
+    const Eigen::Vector3d& centre = graph.points()[place];
+    // Round a voxel on a plane lie eight others; some more bridge the gaps of a sparse map.
+    pcl::Indices near{static_cast<pcl::index_t>(place)};
+    for (const std::uint32_t other : graph.linksOf(place)) {
+        if ((graph.points()[other] - centre).squaredNorm() > reach_m * reach_m) break;
+        near.push_back(static_cast<pcl::index_t>(other));
     }
     SurfacePatch patch;
     patch.centre = centre;
@@ -82,15 +83,17 @@ std::size_t directionOf(const Eigen::Vector3d& normal) {
 }  // namespace
 
 SurfacePatches::SurfacePatches(std::span<const Eigen::Vector3d> points, double voxelSize_m, Progress& progress)
-    : voxelSize_m_(voxelSize_m), places_(voxelMeans(points, voxelSize_m)), index_(places_), patches_(places_.size()) {
+    : voxelSize_m_(voxelSize_m),
+      places_(voxelMeans(points, voxelSize_m)),
+      graph_(places_, progress),
+      patches_(places_.size()) {
     const Eigen::Vector3d origin = 0.5 * (minimumCorner(places_) + maximumCorner(places_));
     const pcl::PointCloud<pcl::PointXYZ> cloud = pclPoints(places_, origin);
-    index_.forEachKNearest(
-        places_, kNeighbours,
-        [&](std::size_t i, std::span<const Neighbour> neighbours) {
-            patches_[i] = patchFrom(places_[i], neighbours, cloud, origin, kReach_voxels * voxelSize_m_);
-        },
-        progress);
+    forEachPart(places_.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+        progress.throwIfCancelled();
+        for (std::size_t i = begin; i < end; ++i)
+            patches_[i] = patchAt(i, graph_, cloud, origin, kReach_voxels * voxelSize_m_);
+    });
 }
 
 std::vector<std::uint32_t> SurfacePatches::balancedSample(std::size_t count) const {

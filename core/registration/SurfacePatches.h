@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "core/cloud/NeighbourIndex.h"
 #include "core/common/Progress.h"
+#include "core/registration/NeighbourGraph.h"
 
 namespace fodscope {
 
@@ -30,10 +30,8 @@ class SurfacePatches {
 
     std::span<const SurfacePatch> all() const { return patches_; }
     std::size_t size() const { return patches_.size(); }
-    /// The search over places().
-    const NeighbourIndex& index() const { return index_; }
-    /// The voxel means; a patch's centre is its place moved onto its plane.
-    std::span<const Eigen::Vector3d> places() const { return places_; }
+    /// The search over the voxel means; a patch's centre is its voxel's mean moved onto its plane.
+    const NeighbourGraph& places() const { return graph_; }
     double voxelSize_m() const { return voxelSize_m_; }
 
     /// A share of the patches in which no direction of the surfaces has much more than its part, so that a large flat
@@ -44,7 +42,7 @@ class SurfacePatches {
   private:
     double voxelSize_m_;
     std::vector<Eigen::Vector3d> places_;
-    NeighbourIndex index_;
+    NeighbourGraph graph_;
     std::vector<SurfacePatch> patches_;
 };
 
