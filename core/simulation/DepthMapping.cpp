@@ -37,21 +37,6 @@ void requireUsable(const DepthMappingSettings& s) {
     require(s.driftLength_m > 0.0 && s.depthNoise_per_m >= 0.0, "the noise");
 }
 
-/// Where the SLAM's map frame happens to lie.
-Transform drawMapFrame(const DepthMappingSettings& s) {
-    Random random(streamSeed(s.seed, 7));
-    const auto within = [&](double most) { return most * random.uniform(-1.0, 1.0); };
-    Transform T_map_from_world = Transform::Identity();
-    const double x = within(s.frameOffset_m), y = within(s.frameOffset_m), z = 0.1 * within(s.frameOffset_m);
-    const double roll = within(s.frameTilt_rad), pitch = within(s.frameTilt_rad), yaw = within(s.frameYaw_rad);
-    T_map_from_world.translation() = Eigen::Vector3d(x, y, z);
-    T_map_from_world.linear() =
-        (Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
-         Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX()))
-            .toRotationMatrix();
-    return T_map_from_world;
-}
-
 /// x forward, y left, z up, at the camera.
 Transform bodyPose(const Pose2& robot, const DepthMappingSettings& s) {
     Transform T_robot_from_body = Transform::Identity();
@@ -147,6 +132,20 @@ void fillMap(MappingRun& run, const std::vector<MapVoxels::Voxel>& voxels, std::
 }
 
 }  // namespace
+
+Transform drawMapFrame(const DepthMappingSettings& s) {
+    Random random(streamSeed(s.seed, 7));
+    const auto within = [&](double most) { return most * random.uniform(-1.0, 1.0); };
+    Transform T_map_from_world = Transform::Identity();
+    const double x = within(s.frameOffset_m), y = within(s.frameOffset_m), z = 0.1 * within(s.frameOffset_m);
+    const double roll = within(s.frameTilt_rad), pitch = within(s.frameTilt_rad), yaw = within(s.frameYaw_rad);
+    T_map_from_world.translation() = Eigen::Vector3d(x, y, z);
+    T_map_from_world.linear() =
+        (Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
+         Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX()))
+            .toRotationMatrix();
+    return T_map_from_world;
+}
 
 MappingRun mapWorld(const World& world, const DepthMappingSettings& settings, Progress& progress) {
     requireUsable(settings);

@@ -56,6 +56,10 @@ struct DepthMappingSettings {
     std::uint64_t seed = 1;
 };
 
+/// Where a SLAM that begins with these settings puts its map frame: drawn from the seed, the same each time.
+/// @return T_map_from_world
+Transform drawMapFrame(const DepthMappingSettings& settings);
+
 /// What one mapping run brings.
 struct MappingRun {
     /// Map frame: the world moved by `T_map_from_world`, which the run draws for itself.
