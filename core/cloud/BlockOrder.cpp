@@ -1,27 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "core/cloud/BlockOrder.h"
 
-#include <tbb/parallel_invoke.h>
-
 #include <algorithm>
-#include <array>
+#include <bit>
 
 namespace fodscope {
 namespace {
 
-/// What the sorting moves about, so that it need not look the points up.
-struct Item {
-    std::array<double, 3> at;
-    std::uint32_t index;
-};
+using Points = std::span<PlacedPoint>;
 
-std::size_t longestSide(std::span<const Item> items) {
-    std::array<double, 3> low = items.front().at;
+std::size_t longestSide(Points points) {
+    std::array<double, 3> low = points.front().at;
     std::array<double, 3> high = low;
-    for (const Item& item : items) {
+    for (const PlacedPoint& point : points) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            low[axis] = std::min(low[axis], item.at[axis]);
-            high[axis] = std::max(high[axis], item.at[axis]);
+            low[axis] = std::min(low[axis], point.at[axis]);
+            high[axis] = std::max(high[axis], point.at[axis]);
         }
     }
     std::size_t longest = 0;
@@ -33,48 +27,88 @@ std::size_t longestSide(std::span<const Item> items) {
     return longest;
 }
 
-/// Divides into parts of `part` items, the last one shorter; `part` is a block, or 8, 64, … of them.
-void divideInto(std::size_t part, std::span<Item> items);
-
-/// Orders one such part within itself.
-void orderWithin(std::size_t part, std::span<Item> items) {
-    if (part > kBlockSize) divideInto(part / kBlockFan, items);
+double medianOf(double a, double b, double c) {
+    return std::max(std::min(a, b), std::min(std::max(a, b), c));
 }
 
-void divideInto(std::size_t part, std::span<Item> items) {
-    constexpr std::size_t kWorthAThread = 1 << 13;
-    if (items.size() <= part) {
-        orderWithin(part, items);
+/// A coordinate of the points near the median, from a few of them.
+double pivotOf(Points points, std::size_t axis) {
+    const std::size_t last = points.size() - 1;
+    const auto at = [&](std::size_t i, std::size_t of) { return points[last * i / of].at[axis]; };
+    if (points.size() < 64) return medianOf(at(0, 2), at(1, 2), at(2, 2));
+    return medianOf(medianOf(at(0, 8), at(1, 8), at(2, 8)), medianOf(at(3, 8), at(4, 8), at(5, 8)),
+                    medianOf(at(6, 8), at(7, 8), at(8, 8)));
+}
+
+/// Moves the points for which `isLeft` holds to the front. Every point is swapped, whether it need be or not: a
+/// processor guesses the outcome of comparisons wrong half of the time, and that costs more.
+/// @return how many there are
+template <class IsLeft>
+std::size_t partition(Points points, const IsLeft& isLeft) {
+    std::size_t left = 0;
+    for (PlacedPoint& point : points) {
+        const PlacedPoint here = point;
+        point = points[left];
+        points[left] = here;
+        left += isLeft(here) ? 1 : 0;
+    }
+    return left;
+}
+
+/// Puts the points that come first along an axis before `middle`, and the others behind.
+void divideAt(Points points, std::size_t middle, std::size_t axis) {
+    // Where pivots keep being chosen badly, the standard library's way is never quadratic.
+    const int mostRounds = 8 + 2 * std::bit_width(points.size());
+    for (int round = 0; round < mostRounds; ++round) {
+        if (middle == 0 || middle >= points.size()) return;
+        const double pivot = pivotOf(points, axis);
+        const std::size_t less = partition(points, [&](const PlacedPoint& p) { return p.at[axis] < pivot; });
+        if (middle <= less) {
+            points = points.first(less);
+            continue;
+        }
+        points = points.subspan(less);
+        middle -= less;
+        if (less > 0) continue;
+        // The pivot is the least.
+        const std::size_t equal = partition(points, [&](const PlacedPoint& p) { return p.at[axis] <= pivot; });
+        if (middle <= equal) return;
+        points = points.subspan(equal);
+        middle -= equal;
+    }
+    std::nth_element(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(middle), points.end(),
+                     [axis](const PlacedPoint& a, const PlacedPoint& b) { return a.at[axis] < b.at[axis]; });
+}
+
+/// Divides into parts of `part` points, the last one shorter; `part` is a block, or 8, 64, … of them.
+void divideInto(std::size_t part, Points points) {
+    if (points.size() <= part) {
+        if (part > kBlockSize) divideInto(part / kBlockFan, points);
         return;
     }
-    const std::size_t parts = (items.size() + part - 1) / part;
+    const std::size_t parts = (points.size() + part - 1) / part;
     const std::size_t middle = (parts + 1) / 2 * part;
-    const std::size_t axis = longestSide(items);
-    std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(middle), items.end(),
-                     [axis](const Item& a, const Item& b) { return a.at[axis] < b.at[axis]; });
-    const auto left = [&] { divideInto(part, items.first(middle)); };
-    const auto right = [&] { divideInto(part, items.subspan(middle)); };
-    if (items.size() < kWorthAThread) {
-        left();
-        right();
-    } else {
-        tbb::parallel_invoke(left, right);
-    }
+    divideAt(points, middle, longestSide(points));
+    divideInto(part, points.first(middle));
+    divideInto(part, points.subspan(middle));
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> blockOrder(std::span<const Eigen::Vector3d> points) {
-    std::vector<Item> items(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-        items[i] = {{points[i].x(), points[i].y(), points[i].z()}, static_cast<std::uint32_t>(i)};
+std::vector<PlacedPoint> placedPoints(std::span<const Eigen::Vector3d> points, std::span<const std::uint32_t> indices) {
+    std::vector<PlacedPoint> placed(indices.size());
+    std::ranges::transform(indices, placed.begin(), [&](std::uint32_t index) {
+        const Eigen::Vector3d& point = points[index];
+        return PlacedPoint{{point.x(), point.y(), point.z()}, index};
+    });
+    return placed;
+}
+
+void orderInBlocks(std::span<PlacedPoint> points) {
     std::size_t part = kBlockSize;
     while (part < points.size())
         part *= kBlockFan;
-    orderWithin(part, items);
-    std::vector<std::uint32_t> order(points.size());
-    std::ranges::transform(items, order.begin(), &Item::index);
-    return order;
+    divideInto(part, points);
 }
 
 }  // namespace fodscope

@@ -13,14 +13,17 @@
 
 namespace fodscope {
 
+class BlockTree;
+struct BlockKernels;
+
 struct Neighbour {
     std::uint32_t index = 0;
     double squaredDistance_m2 = 0.0;
 };
 
-/// The one nearest-neighbour search that everything uses: exact, in double precision, over compact blocks of points (see
-/// BlockTree.h). It keeps its own copy of the points. Answers do not depend on the number of threads; of points at the
-/// same distance the one with the lower index comes first.
+/// The one nearest-neighbour search that everything uses: exact, in double precision, over compact blocks of points
+/// (see BlockTree.h). It keeps its own copy of the points. Answers do not depend on the number of threads; of points at
+/// the same distance the one with the lower index comes first.
 ///
 /// The functions that take a Progress look at it often enough to be cancelled at once; with a stage name they also
 /// report their fraction under that name.
@@ -28,6 +31,10 @@ class NeighbourIndex {
   public:
     /// @throws Error when there are no points, or one is not finite
     explicit NeighbourIndex(std::span<const Eigen::Vector3d> points);
+    /// @throws Cancelled
+    NeighbourIndex(std::span<const Eigen::Vector3d> points, const Progress& progress);
+    /// With inner loops that are not the fastest of this processor: all must give the same.
+    NeighbourIndex(std::span<const Eigen::Vector3d> points, const Progress& progress, const BlockKernels& kernels);
     ~NeighbourIndex();
     NeighbourIndex(NeighbourIndex&&) noexcept;
     NeighbourIndex& operator=(NeighbourIndex&&) noexcept;
@@ -58,8 +65,7 @@ class NeighbourIndex {
                              Progress& progress, const std::string& stage = {}) const;
 
   private:
-    struct Tree;
-    std::unique_ptr<Tree> tree_;
+    std::unique_ptr<BlockTree> tree_;
 };
 
 }  // namespace fodscope

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <utility>
 
-#include "core/cloud/BlockOrder.h"
+#include "core/cloud/SpatialRuns.h"
 #include "core/cloud/VoxelGrid.h"
 #include "core/common/Error.h"
 #include "core/reference/Covariance.h"
@@ -28,12 +28,14 @@ struct ScatteredPoints {
 
 /// All points of the reference for the k nearest, which are counted with those that have no sample. In a ball only
 /// points with samples count, and in a CAD model many have none; their order is free there and spares the cache.
-ScatteredPoints scatteredPoints(const ReferenceMap& reference, const SmoothingSettings& settings) {
+ScatteredPoints scatteredPoints(const ReferenceMap& reference, const SmoothingSettings& settings,
+                                const Progress& progress) {
     if (settings.neighbourhood == SmoothingNeighbourhood::NearestNeighbours) {
         return {reference.points, reference.scatter, reference.sampleCount};
     }
     ScatteredPoints counting;
-    for (const std::uint32_t i : blockOrder(reference.points)) {
+    constexpr std::size_t together = 256;
+    for (const std::uint32_t i : spatialRuns(reference.points, together, progress).order) {
         if (reference.sampleCount[i] == 0) continue;
         counting.points.push_back(reference.points[i]);
         counting.scatter.push_back(reference.scatter[i]);
@@ -85,7 +87,7 @@ Eigen::Matrix3d gaussianOf(std::span<const Neighbour> near, const ScatteredPoint
 std::vector<Eigen::Matrix3d> smoothedAt(std::span<const Eigen::Vector3d> places, const ReferenceMap& reference,
                                         const SmoothingSettings& settings, Progress& progress) {
     std::vector<Eigen::Matrix3d> smoothed(places.size(), unknownCovariance());
-    const ScatteredPoints from = scatteredPoints(reference, settings);
+    const ScatteredPoints from = scatteredPoints(reference, settings, progress);
     if (from.points.empty()) return smoothed;
     const NeighbourIndex index(from.points);
     const bool isMean = settings.weights == SmoothingWeights::Mean;

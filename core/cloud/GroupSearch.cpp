@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "core/cloud/GroupSearch.h"
+
+namespace fodscope {
+
+NearestOfGroup::NearestOfGroup(const BlockTree& tree, const QueryGroup& group) {
+    squaredDistance_m2_.fill(kAnywhere_m2);
+    index_.fill(kNowhere);
+    meetBlocks(tree, group, squaredDistance_m2_, [&](const PointBlock& block, std::uint32_t near) {
+        return meet(tree.kernels(), block, group.queries, near);
+    });
+    for (std::size_t i = 0; i < kBlockSize; ++i)
+        if (index_[i] == kNowhere) take(i, kInfinitelyFar);
+}
+
+bool NearestOfGroup::meet(const BlockKernels& kernels, const PointBlock& block, const PointBlock& queries,
+                          std::uint32_t near) {
+    BlockDistances least;
+    const std::uint32_t nearer = kernels.leastDistances(block, queries, near, squaredDistance_m2_, least);
+    forEachBit(nearer, [&](std::size_t query) {
+        BlockDistances distances;
+        const std::uint32_t atLeast = kernels.squaredDistances(block, queries.point(query), least[query], distances);
+        std::uint32_t index = kNowhere;
+        forEachBit(atLeast, [&](std::size_t i) { index = std::min(index, block.original[i]); });
+        if (least[query] == squaredDistance_m2_[query]) index = std::min(index, index_[query]);
+        take(query, {index, least[query]});
+    });
+    return nearer != 0;
+}
+
+void NearestOfGroup::take(std::size_t query, const Neighbour& neighbour) {
+    index_[query] = neighbour.index;
+    squaredDistance_m2_[query] = neighbour.squaredDistance_m2;
+}
+
+void KNearestOfGroups::gather(const QueryGroup& group) {
+    BlockDistances reaches;
+    reaches.fill(guess_m2_);
+    for (KNearest& nearest : nearest_)
+        nearest.start(k_, guess_m2_);
+    meetAll(group, reaches);
+    // Where the guess was too short, once more without one.
+    bool hasAll = true;
+    for (std::size_t i = 0; i < kBlockSize; ++i) {
+        const bool hasEnough = i >= group.count || nearest_[i].hasEnough();
+        reaches[i] = hasEnough ? -1.0 : kAnywhere_m2;
+        if (!hasEnough) nearest_[i].start(k_);
+        hasAll = hasAll && hasEnough;
+    }
+    if (!hasAll) meetAll(group, reaches);
+}
+
+void KNearestOfGroups::meetAll(const QueryGroup& group, BlockDistances& reaches) {
+    for (std::size_t i = group.count; i < kBlockSize; ++i)
+        reaches[i] = -1.0;
+    meetBlocks(tree_, group, reaches, [&](const PointBlock& block, std::uint32_t near) {
+        bool isShorter = false;
+        forEachBit(near, [&](std::size_t i) {
+            if (!nearest_[i].add(tree_.kernels(), block, group.queries.point(i))) return;
+            reaches[i] = nearest_[i].reach();
+            isShorter = true;
+        });
+        return isShorter;
+    });
+}
+
+}  // namespace fodscope
