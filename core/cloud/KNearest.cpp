@@ -82,7 +82,8 @@ std::span<const Neighbour> KNearest::sorted(const BlockKernels& kernels) {
     }
     const std::span<const double> distances_m2 = found_.squaredDistances_m2();
     const std::size_t count = distances_m2.size();
-    const double keysPerUnit = kMostKey / *std::ranges::max_element(distances_m2);
+    // Nothing was taken from beyond the reach.
+    const double keysPerUnit = kMostKey / reach_m2_;
     if (count > kMostToCount || !(keysPerUnit > 0.0) || !(keysPerUnit < kAnywhere_m2)) return sortedByComparing();
     // By the distance as a small whole number, which never puts a nearer point behind a farther one but makes some
     // equal; what remains out of place is beside its place.

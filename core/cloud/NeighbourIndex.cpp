@@ -117,6 +117,7 @@ void forEachGroup(const BlockTree& tree, std::span<const Eigen::Vector3d> querie
         progress.report(stage, static_cast<double>(step) / steps);
     });
     progress.throwIfCancelled();
+    if (!stage.empty()) progress.report(stage, 1.0);
 }
 
 }  // namespace

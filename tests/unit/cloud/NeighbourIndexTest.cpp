@@ -4,18 +4,27 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <mutex>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <thread>
+#include <utility>
 
+#include "core/cloud/BlockKernels.h"
 #include "core/common/Error.h"
 #include "tests/unit/cloud/RandomPoints.h"
 
 namespace fodscope {
 namespace {
 
+/// All points, nearest first; of those at the same distance the one with the lower index first.
 std::vector<Neighbour> bruteForce(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& query) {
     std::vector<Neighbour> all;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        all.push_back({static_cast<std::uint32_t>(i), (points[i] - query).squaredNorm()});
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Eigen::Vector3d d = points[i] - query;
+        all.push_back({static_cast<std::uint32_t>(i), (d.x() * d.x() + d.y() * d.y()) + d.z() * d.z()});
+    }
     std::stable_sort(all.begin(), all.end(), [](const Neighbour& a, const Neighbour& b) {
         return a.squaredDistance_m2 < b.squaredDistance_m2;
     });
@@ -71,9 +80,34 @@ TEST(NeighbourIndex, GivesTiesToTheLowerIndex) {
     }
 }
 
-/// Clouds that are hard on a tree: a stray point far away, two dense lumps, a line, thousands of points in few places.
+std::vector<Eigen::Vector3d> shifted(std::vector<Eigen::Vector3d> points, double scale, const Eigen::Vector3d& shift) {
+    for (Eigen::Vector3d& point : points)
+        point = scale * point + shift;
+    return points;
+}
+
+/// As a file would hold them.
+std::vector<Eigen::Vector3d> asFloats(std::vector<Eigen::Vector3d> points) {
+    for (Eigen::Vector3d& point : points)
+        point = point.cast<float>().cast<double>();
+    return points;
+}
+
+/// A wall of a tank, with noise across it.
+std::vector<Eigen::Vector3d> surface(std::size_t count, std::uint64_t seed) {
+    auto points = randomPoints(count, seed);
+    for (Eigen::Vector3d& point : points)
+        point.z() *= 0.01;
+    return points;
+}
+
+/// Clouds that are hard on a tree: few points, a stray point far away, two dense lumps, a line, thousands of points in
+/// few places, ties everywhere, large coordinates, and distances whose squares are no longer numbers.
 std::vector<std::vector<Eigen::Vector3d>> difficultClouds() {
     std::vector<std::vector<Eigen::Vector3d>> clouds;
+    for (std::size_t count = 1; count <= 40; ++count)
+        clouds.push_back(randomPoints(count, 100 + count));
+    clouds.push_back(asFloats(surface(3000, 10)));
     auto stray = randomPoints(900, 11);
     stray.emplace_back(1e9, -1e9, 1e9);
     clouds.push_back(stray);
@@ -89,30 +123,112 @@ std::vector<std::vector<Eigen::Vector3d>> difficultClouds() {
     for (int i = 0; i < 1500; ++i)
         piles.emplace_back(i % 3, 0.0, 0.0);
     clouds.push_back(piles);
+    auto ties = lattice(9);
+    std::reverse(ties.begin(), ties.end());
+    clouds.push_back(ties);
+    clouds.push_back(shifted(surface(1000, 15), 10.0, {6.1e5, 5.3e6, -40.0}));
+    clouds.push_back(shifted(surface(1000, 16), 1e300, {0.0, 0.0, 0.0}));
+    clouds.push_back(shifted(surface(1000, 17), 1e-300, {0.0, 0.0, 0.0}));
+    auto hostile = surface(300, 18);
+    hostile.emplace_back(1e300, 0.0, 0.0);
+    hostile.emplace_back(0.0, -1e300, 1e300);
+    hostile.emplace_back(1e39, 0.0, 0.0);
+    clouds.push_back(hostile);
+    // More than one run of blocks.
+    clouds.push_back(asFloats(surface(20000, 19)));
+    auto dense = surface(12000, 20);
+    for (std::size_t i = 0; i < dense.size(); i += 2)
+        dense[i] = dense[0] + 1e-5 * dense[i];
+    clouds.push_back(dense);
     return clouds;
 }
 
-TEST(NeighbourIndex, AgreesWithBruteForceOnDifficultClouds) {
+bool areSame(std::span<const Neighbour> a, std::span<const Neighbour> b) {
+    return std::ranges::equal(a, b, [](const Neighbour& x, const Neighbour& y) {
+        return x.index == y.index && x.squaredDistance_m2 == y.squaredDistance_m2;
+    });
+}
+
+/// Every way to ask, with either kind of inner loops.
+class EveryQuery : public testing::TestWithParam<const BlockKernels*> {
+  protected:
+    void SetUp() override {
+        if (GetParam() == nullptr) GTEST_SKIP() << "this processor has no AVX2";
+    }
+
+    void compare(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& queries,
+                 std::size_t stride) {
+        Progress progress;
+        const NeighbourIndex index(points, progress, *GetParam());
+        const std::vector<Neighbour> nearest = index.nearestOfEach(queries, progress);
+        constexpr std::array<std::size_t, 5> ks{1, 2, 50, 90, 450};
+        std::array<std::vector<std::vector<Neighbour>>, 5> found;
+        for (std::size_t i = 0; i < ks.size(); ++i) {
+            found[i].resize(queries.size());
+            index.forEachKNearest(
+                queries, ks[i],
+                [&](std::size_t q, std::span<const Neighbour> near) { found[i][q].assign(near.begin(), near.end()); },
+                progress);
+        }
+        for (std::size_t q = 0; q < queries.size(); q += stride) {
+            const std::vector<Neighbour> all = bruteForce(points, queries[q]);
+            ASSERT_TRUE(areSame(std::span(&nearest[q], 1), std::span(all).first(1))) << "query " << q;
+            const Neighbour one = index.nearest(queries[q]);
+            ASSERT_TRUE(areSame(std::span(&one, 1), std::span(all).first(1))) << "query " << q;
+            for (std::size_t i = 0; i < ks.size(); ++i) {
+                const auto expected = std::span(all).first(std::min(ks[i], all.size()));
+                ASSERT_TRUE(areSame(found[i][q], expected)) << "query " << q << ", k " << ks[i];
+                ASSERT_TRUE(areSame(index.kNearest(queries[q], ks[i]), expected)) << "query " << q << ", k " << ks[i];
+            }
+            compareBall(index, all, queries[q]);
+        }
+    }
+
+  private:
+    static void compareBall(const NeighbourIndex& index, std::span<const Neighbour> all, const Eigen::Vector3d& query) {
+        Progress progress;
+        const double radius_m = std::sqrt(all[std::min<std::size_t>(all.size() - 1, 70)].squaredDistance_m2);
+        const double limit_m2 = std::min(radius_m * radius_m, std::numeric_limits<double>::max());
+        const auto end = std::ranges::find_if(all, [&](const Neighbour& n) { return n.squaredDistance_m2 > limit_m2; });
+        const auto expected = all.first(static_cast<std::size_t>(end - all.begin()));
+        ASSERT_TRUE(areSame(index.withinRadius(query, radius_m), expected));
+        index.forEachWithinRadius(
+            std::span(&query, 1), radius_m,
+            [&](std::size_t, std::span<const Neighbour> near) {
+                std::vector<Neighbour> sorted(near.begin(), near.end());
+                std::ranges::sort(sorted, {},
+                                  [](const Neighbour& n) { return std::pair(n.squaredDistance_m2, n.index); });
+                EXPECT_TRUE(areSame(sorted, expected));
+            },
+            progress);
+    }
+};
+
+TEST_P(EveryQuery, AgreesWithBruteForceToTheBit) {
     for (const auto& points : difficultClouds()) {
-        const NeighbourIndex index(points);
         std::vector<Eigen::Vector3d> queries = randomPoints(20, 14);
         for (std::size_t i = 0; i < points.size(); i += 41)
             queries.push_back(points[i]);
-        for (const std::size_t k : {1U, 2U, 50U, 450U}) {
-            std::vector<std::vector<std::uint32_t>> found(queries.size());
-            Progress progress;
-            index.forEachKNearest(
-                queries, k,
-                [&](std::size_t i, std::span<const Neighbour> neighbours) { found[i] = indices(neighbours); },
-                progress);
-            for (std::size_t i = 0; i < queries.size(); ++i) {
-                auto expected = bruteForce(points, queries[i]);
-                expected.resize(std::min(k, expected.size()));
-                ASSERT_EQ(found[i], indices(expected)) << "query " << i << ", k " << k;
-            }
-        }
+        queries.push_back(0.5 * points.front() + 0.5 * points.back());
+        ASSERT_NO_FATAL_FAILURE(compare(points, queries, points.size() < 10000 ? 1 : 29));
     }
 }
+
+TEST_P(EveryQuery, AgreesWithBruteForceWhenAskedForItsOwnPoints) {
+    for (const auto& points : difficultClouds())
+        ASSERT_NO_FATAL_FAILURE(compare(points, points, 1 + points.size() / 23));
+}
+
+TEST_P(EveryQuery, AgreesWithBruteForceForAsManyOtherQueriesAsItHasPoints) {
+    const auto points = surface(3000, 41);
+    auto almost = points;
+    almost[1234].x() += 0.25;
+    ASSERT_NO_FATAL_FAILURE(compare(points, almost, 1234));
+    ASSERT_NO_FATAL_FAILURE(compare(points, surface(3000, 42), 31));
+}
+
+INSTANTIATE_TEST_SUITE_P(NeighbourIndex, EveryQuery, testing::Values(&plainKernels(), avx2Kernels()),
+                         [](const auto& kernels) { return kernels.index == 0 ? "Plainly" : "WithAvx2"; });
 
 TEST(NeighbourIndex, FindsCoincidentPointsInOrder) {
     const std::vector<Eigen::Vector3d> points(1000, Eigen::Vector3d(1.0, 2.0, 3.0));
@@ -154,6 +270,36 @@ TEST(NeighbourIndex, StopsWhenCancelled) {
     Progress progress;
     progress.cancel();
     EXPECT_THROW(index.nearestOfEach(points, progress), Cancelled);
+    EXPECT_THROW(NeighbourIndex(points, progress), Cancelled);
+}
+
+TEST(NeighbourIndex, ReportsOnTheCallingThreadAndNeverBackwards) {
+    const auto points = randomPoints(50000, 7);
+    const std::thread::id caller = std::this_thread::get_id();
+    double last = -1.0;
+    Progress progress([&](const std::string& stage, double fraction) {
+        EXPECT_EQ(stage, "looking");
+        EXPECT_EQ(std::this_thread::get_id(), caller);
+        EXPECT_GE(fraction, last);
+        last = fraction;
+    });
+    NeighbourIndex(points).nearestOfEach(points, progress, "looking");
+    EXPECT_EQ(last, 1.0);
+}
+
+TEST(NeighbourIndex, StopsWhereItStandsWhenCancelled) {
+    const auto points = randomPoints(50000, 8);
+    const NeighbourIndex index(points);
+    Progress progress;
+    std::atomic<int> calls = 0;
+    EXPECT_THROW(index.forEachKNearest(
+                     points, 5,
+                     [&](std::size_t, std::span<const Neighbour>) {
+                         if (++calls == 100) progress.cancel();
+                     },
+                     progress),
+                 Cancelled);
+    EXPECT_LT(calls, 50000);
 }
 
 TEST(NeighbourIndex, RefusesNoPointsAndPointsThatAreNotFinite) {
