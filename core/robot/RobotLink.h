@@ -11,6 +11,7 @@
 #include "core/common/Geometry.h"
 #include "core/planning/OccupancyGrid.h"
 #include "core/robot/Photo.h"
+#include "core/robot/RobotConsole.h"
 
 namespace fodscope {
 
@@ -99,6 +100,8 @@ class RobotLink {
     virtual void requestPhoto(const std::string& requestId) = 0;
     /// @return what happened since the last call, oldest first
     virtual std::vector<RobotEvent> poll(double now_s) = 0;
+    /// What a robot offers beside visits; null for one that offers nothing else.
+    virtual RobotConsole* console() { return nullptr; }
 };
 
 }  // namespace fodscope
