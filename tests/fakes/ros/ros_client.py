@@ -42,7 +42,7 @@ class Program:
     """A program under test. It ends with the `with` block; what it wrote is kept for the failure message."""
 
     def __init__(self, command, environment):
-        self.process = subprocess.Popen(command, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+        self.process = subprocess.Popen(command, env=environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                         stderr=subprocess.STDOUT, text=True)
         self.lines = []
         self._changed = threading.Condition()
@@ -80,6 +80,7 @@ class Program:
         except subprocess.TimeoutExpired:
             self.process.kill()
             self.process.wait()
+        self.process.stdin.close()
 
 
 class Topic:
@@ -107,13 +108,21 @@ class Topic:
             self.count += 1
             self._changed.notify_all()
 
+    def is_connected(self):
+        return self._subscriber.get_num_connections() > 0
+
     def next(self, holds=lambda message: True, within_s=WITHIN_S):
         """@return the first message from now on for which it holds"""
         return self.next_many(1, holds, within_s)[0]
 
     def next_many(self, count, holds=lambda message: True, within_s=WITHIN_S):
+        return self.after(lambda: None, count, holds, within_s)
+
+    def after(self, act, count=1, holds=lambda message: True, within_s=WITHIN_S):
+        """@return the first messages for which it holds since just before the act"""
         with self._changed:
             begin = self.count
+        act()
 
         def found():
             fresh = self.messages[len(self.messages) - min(self.count - begin, len(self.messages)):]
