@@ -15,7 +15,7 @@ namespace fodscope {
 
 /// Points in compact blocks of 16, a box round each block, round each 8 of these boxes, and so on up to one group of
 /// boxes. Searched with whole blocks and whole groups of boxes at a time. Takes 20 bytes a point where all coordinates
-/// are float32, as they are in files, and else 32; and 10 more while it is made.
+/// are float32, as they are in files, and else 32; and 4 more while it is made.
 ///
 /// Blocks are made run by run (see SpatialRuns.h), so that all sorting but the first happens in the cache. Each run has
 /// the numbers of 512 blocks to itself, and those that it does not need stay unused.

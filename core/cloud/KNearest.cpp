@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace fodscope {
 namespace {
@@ -86,25 +87,41 @@ std::span<const Neighbour> KNearest::sorted(const BlockKernels& kernels) {
     const double keysPerUnit = kMostKey / reach_m2_;
     if (count > kMostToCount || !(keysPerUnit > 0.0) || !(keysPerUnit < kAnywhere_m2)) return sortedByComparing();
     // By the distance as a small whole number, which never puts a nearer point behind a farther one but makes some
-    // equal; what remains out of place is beside its place.
+    // equal; what remains out of place is then beside its place.
     keys_.assign((count + kRankStep - 1) / kRankStep * kRankStep, std::numeric_limits<std::int16_t>::max());
     for (std::size_t i = 0; i < count; ++i)
         keys_[i] = keyOf(distances_m2[i], keysPerUnit);
     smallerOf_.resize(keys_.size());
     kernels.countSmaller(keys_, smallerOf_);
-    placed_.assign(count, 0);
     inOrder_.resize(count);
-    for (std::size_t i = 0; i < count; ++i)
+    // Every two keys that differ make one of them count the other.
+    const std::size_t pairs = count * (count - 1) / 2;
+    const std::span<const std::uint16_t> ranks = std::span(smallerOf_).first(count);
+    if (std::accumulate(ranks.begin(), ranks.end(), std::uint32_t{0}) == pairs) {
+        for (std::size_t i = 0; i < count; ++i)
+            inOrder_[ranks[i]] = found_[i];
+    } else {
+        placeEqualKeys();
+        const auto keyAt = [&](std::size_t i) { return keyOf(inOrder_[i].squaredDistance_m2, keysPerUnit); };
+        std::size_t end = k_;
+        while (end < count && keyAt(end) == keyAt(k_ - 1))
+            ++end;
+        mendOrder(end);
+    }
+    return std::span<const Neighbour>(inOrder_).first(k_);
+}
+
+void KNearest::placeEqualKeys() {
+    placed_.assign(found_.size(), 0);
+    for (std::size_t i = 0; i < found_.size(); ++i)
         inOrder_[smallerOf_[i] + placed_[smallerOf_[i]]++] = found_[i];
-    std::size_t end = k_;
-    const auto keyAt = [&](std::size_t i) { return keyOf(inOrder_[i].squaredDistance_m2, keysPerUnit); };
-    while (end < count && keyAt(end) == keyAt(k_ - 1))
-        ++end;
+}
+
+void KNearest::mendOrder(std::size_t end) {
     for (std::size_t i = 1; i < end; ++i) {
         for (std::size_t j = i; j > 0 && isNearer(inOrder_[j], inOrder_[j - 1]); --j)
             std::swap(inOrder_[j], inOrder_[j - 1]);
     }
-    return std::span<const Neighbour>(inOrder_).first(k_);
 }
 
 std::span<const Neighbour> KNearest::sortedByComparing() {

@@ -103,6 +103,8 @@ class KNearest {
     void dropFarther();
     void dropAllButNearest();
     std::span<const Neighbour> sortedByComparing();
+    void placeEqualKeys();
+    void mendOrder(std::size_t end);
     void addInfinitelyFar();
 
     std::size_t k_ = 0;

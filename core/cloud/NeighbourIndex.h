@@ -53,7 +53,8 @@ class NeighbourIndex {
     std::vector<Neighbour> nearestOfEach(std::span<const Eigen::Vector3d> queries, Progress& progress,
                                          const std::string& stage = {}) const;
 
-    /// Calls `use(i, neighbours)` once for every query, in parallel and in any order, with the k nearest points.
+    /// Calls `use(i, neighbours)` once for every query, in parallel and in any order, with the k nearest points. When
+    /// the queries are the index's own points, in their order, they need not be sorted.
     void forEachKNearest(std::span<const Eigen::Vector3d> queries, std::size_t k,
                          const std::function<void(std::size_t, std::span<const Neighbour>)>& use, Progress& progress,
                          const std::string& stage = {}) const;

@@ -20,38 +20,51 @@ void check(const OutlierRemovalSettings& settings) {
     }
 }
 
-}  // namespace
+std::vector<std::uint32_t> everything(std::size_t count) {
+    std::vector<std::uint32_t> all(count);
+    std::iota(all.begin(), all.end(), 0u);
+    return all;
+}
 
-std::vector<std::uint32_t> keptByOutlierRemoval(std::span<const Eigen::Vector3d> points,
-                                                const OutlierRemovalSettings& settings, Progress& progress,
-                                                const std::string& stage) {
-    if (settings.enabled) check(settings);
-    std::vector<std::uint32_t> kept(points.size());
-    std::iota(kept.begin(), kept.end(), 0u);
-    // With fewer than two points there is no spread to judge by.
-    if (!settings.enabled || points.size() < 2) return kept;
-
-    std::vector<double> meanDistances(points.size());
-    const NeighbourIndex index(points);
+/// Each point's mean distance to its nearest.
+std::vector<double> meanDistances_m(std::span<const Eigen::Vector3d> points, const OutlierRemovalSettings& settings,
+                                    Progress& progress, const std::string& stage) {
+    const NeighbourIndex index(points, progress);
+    std::vector<double> means_m(points.size());
     index.forEachKNearest(
         points, static_cast<std::size_t>(settings.neighbours),
         [&](std::size_t i, std::span<const Neighbour> neighbours) {
             double sum = 0.0;
             for (const Neighbour& neighbour : neighbours)
                 sum += std::sqrt(neighbour.squaredDistance_m2);
-            meanDistances[i] = sum / static_cast<double>(neighbours.size());
+            means_m[i] = sum / static_cast<double>(neighbours.size());
         },
         progress, stage);
+    return means_m;
+}
 
+}  // namespace
+
+std::vector<std::uint32_t> keptByOutlierRemoval(std::span<const Eigen::Vector3d> points,
+                                                const OutlierRemovalSettings& settings, Progress& progress,
+                                                const std::string& stage) {
+    if (settings.enabled) check(settings);
+    // With fewer than two points there is no spread to judge by.
+    if (!settings.enabled || points.size() < 2) return everything(points.size());
+
+    const std::vector<double> distances_m = meanDistances_m(points, settings, progress, stage);
     const double count = static_cast<double>(points.size());
-    const double mean = std::accumulate(meanDistances.begin(), meanDistances.end(), 0.0) / count;
+    const double mean = std::accumulate(distances_m.begin(), distances_m.end(), 0.0) / count;
     double squares = 0.0;
-    for (const double distance : meanDistances)
-        squares += (distance - mean) * (distance - mean);
+    for (const double distance_m : distances_m)
+        squares += (distance_m - mean) * (distance_m - mean);
     const double limit = mean + settings.standardDeviations * std::sqrt(squares / (count - 1.0));
     // Equally spaced points have no spread: none of them is an outlier.
-    if (squares == 0.0) return kept;
-    std::erase_if(kept, [&](std::uint32_t i) { return !(meanDistances[i] < limit); });
+    if (squares == 0.0) return everything(points.size());
+    std::vector<std::uint32_t> kept;
+    kept.reserve(points.size());
+    for (std::uint32_t i = 0; i < points.size(); ++i)
+        if (distances_m[i] < limit) kept.push_back(i);
     return kept;
 }
 

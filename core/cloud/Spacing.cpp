@@ -21,7 +21,7 @@ double medianSpacing_m(std::span<const Eigen::Vector3d> points, Progress& progre
         queries[i] = points[i * points.size() / count];
     std::vector<double> distances(count);
     // The first neighbour is the point itself, or one that coincides with it.
-    const NeighbourIndex index(points);
+    const NeighbourIndex index(points, progress);
     index.forEachKNearest(
         queries, 2,
         [&](std::size_t i, std::span<const Neighbour> neighbours) {

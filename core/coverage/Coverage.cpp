@@ -17,7 +17,7 @@ Coverage measureCoverage(const ReferenceMap& reference, const DiscrepancyField& 
     coverage.observed.assign(reference.size(), 0);
     if (field.size() == 0) return coverage;
 
-    const NeighbourIndex voxels(field.points);
+    const NeighbourIndex voxels(field.points, progress);
     const std::vector<Neighbour> nearest = voxels.nearestOfEach(reference.points, progress, "measuring the coverage");
     std::size_t observed = 0;
     for (std::size_t i = 0; i < reference.size(); ++i) {

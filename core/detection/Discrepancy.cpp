@@ -126,7 +126,7 @@ void smooth(DiscrepancyField& field, const DiscrepancySettings& settings, Progre
     field.smoothedEuclidean_m = field.euclidean_m;
     field.smoothedMahalanobis = field.mahalanobis;
     if (settings.smoothingPasses == 0 || changesNothing(settings.smoothing)) return;
-    const NeighbourIndex voxels(field.points);
+    const NeighbourIndex voxels(field.points, progress);
     for (int pass = 0; pass < settings.smoothingPasses; ++pass) {
         const std::vector<double> euclidean_m = field.smoothedEuclidean_m;
         const std::vector<double> mahalanobis = field.smoothedMahalanobis;
@@ -174,7 +174,7 @@ DiscrepancyField measureDiscrepancy(std::span<const Eigen::Vector3d> map, const 
     field.weights = std::move(voxels.weights);
     field.nearest.reserve(field.size());
     field.euclidean_m.reserve(field.size());
-    const NeighbourIndex index(reference.points);
+    const NeighbourIndex index(reference.points, progress);
     for (const Neighbour& nearest : index.nearestOfEach(field.points, progress, "nearest reference points")) {
         field.nearest.push_back(nearest.index);
         field.euclidean_m.push_back(std::sqrt(nearest.squaredDistance_m2));

@@ -254,7 +254,7 @@ std::vector<double> localChiSquare(std::span<const Eigen::Vector3d> points, std:
     const std::size_t k = std::min(static_cast<std::size_t>(neighbours), known.values.size());
     const int classes = testClasses(static_cast<int>(k));
     std::vector<double> distances(values.size(), std::numeric_limits<double>::quiet_NaN());
-    const NeighbourIndex index(known.points);
+    const NeighbourIndex index(known.points, progress);
     std::visit(
         [&](const auto& fit) {
             const Histogram empty = histogramFor(fit, classes);

@@ -89,7 +89,7 @@ std::vector<Eigen::Matrix3d> smoothedAt(std::span<const Eigen::Vector3d> places,
     std::vector<Eigen::Matrix3d> smoothed(places.size(), unknownCovariance());
     const ScatteredPoints from = scatteredPoints(reference, settings, progress);
     if (from.points.empty()) return smoothed;
-    const NeighbourIndex index(from.points);
+    const NeighbourIndex index(from.points, progress);
     const bool isMean = settings.weights == SmoothingWeights::Mean;
     forEachNeighbourhood(
         index, places, settings, "covariance smoothing",
@@ -108,7 +108,7 @@ std::vector<Eigen::Matrix3d> smoothed(const ReferenceMap& reference, const Covar
     const Eigen::Vector3d origin = minimumCorner(reference.points).array() - 0.5 * voxel_m;
     const std::vector<Eigen::Vector3d> places = voxelGrid(reference.points, origin, {voxel_m}).points;
     const std::vector<Eigen::Matrix3d> atPlaces = smoothedAt(places, reference, settings.smoothing, progress);
-    const NeighbourIndex index(places);
+    const NeighbourIndex index(places, progress);
     std::vector<Eigen::Matrix3d> atPoints;
     atPoints.reserve(reference.size());
     for (const Neighbour& nearest : index.nearestOfEach(reference.points, progress, "spreading the covariances"))
@@ -143,7 +143,7 @@ void collectScatter(std::span<const Eigen::Vector3d> samples, ReferenceMap& refe
     requireFiniteSamples(samples);
     reference.sampleCount.assign(reference.size(), 0);
     reference.scatter.assign(reference.size(), Eigen::Matrix3d::Zero());
-    const NeighbourIndex index(reference.points);
+    const NeighbourIndex index(reference.points, progress);
     const std::vector<Neighbour> nearest = index.nearestOfEach(samples, progress, "collecting the scatter");
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const std::uint32_t point = nearest[i].index;

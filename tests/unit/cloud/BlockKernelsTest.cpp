@@ -147,7 +147,8 @@ TEST_F(BlockKernelsTest, FindTheSameLeastDistances) {
                 EXPECT_EQ(plain.leastDistances(block, blocks[3], wanted, limits, a),
                           fast.leastDistances(block, blocks[3], wanted, limits, b));
                 for (std::size_t i = 0; i < kBlockSize; ++i) {
-                    if ((wanted >> i & 1U) != 0) EXPECT_EQ(a[i], b[i]);
+                    if ((wanted >> i & 1U) == 0) continue;
+                    EXPECT_EQ(a[i], b[i]);
                 }
             }
         }
