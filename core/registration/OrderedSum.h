@@ -24,10 +24,10 @@ void forEachPart(std::size_t count, const Work& work) {
 /// The sum of `sumOf(begin, end)` over parts of 0 … count − 1 that are the same for any number of threads, as is the
 /// order in which they are added: rounding does not depend on either.
 template <class Sum, class SumOf>
-Sum orderedSum(std::size_t count, const SumOf& sumOf) {
-    std::vector<Sum> sums((count + kPart - 1) / kPart);
+Sum orderedSum(std::size_t count, const Sum& zero, const SumOf& sumOf) {
+    std::vector<Sum> sums((count + kPart - 1) / kPart, zero);
     forEachPart(count, [&](std::size_t begin, std::size_t end, std::size_t part) { sums[part] = sumOf(begin, end); });
-    Sum sum{};
+    Sum sum = zero;
     for (const Sum& part : sums)
         sum += part;
     return sum;

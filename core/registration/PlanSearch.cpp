@@ -7,7 +7,9 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <span>
 
+#include "core/registration/OrderedSum.h"
 #include "core/registration/PlanImage.h"
 
 namespace fodscope {
@@ -179,7 +181,7 @@ class HeightsByCell {
     }
 
     /// How far up the map has to go for most of its level surfaces to meet the reference's.
-    double bestRise_m(const std::vector<Eigen::Vector3d>& level_plan) const {
+    double bestRise_m(std::span<const Eigen::Vector3d> level_plan) const {
         std::map<long, double> votes;
         for (const Eigen::Vector3d& point : level_plan) {
             const auto cell = heights_m_.find(cellOf(point.head<2>()));
@@ -226,20 +228,42 @@ std::vector<Eigen::Vector3d> levelPoints(const SurfacePatches& cloud, const Eige
     return thinned;
 }
 
+/// The motion of the levelled map that a peak stands for, with the height that fits best there.
+Transform turnedUp(const Peak& peak, const Plan& plan, std::span<const Eigen::Vector3d> level,
+                   const HeightsByCell& heights) {
+    // A mark at its turned place q was drawn at (q + radius + half a cell) / cell, one of the reference at
+    // (p - corner) / cell; the shift makes them one.
+    const Eigen::Vector2d place =
+        peak.shift_m + plan.corner_m + Eigen::Vector2d::Constant(plan.mapRadius_m() + plan.cellSize_m / 2.0);
+    Transform turn = Transform::Identity();
+    turn.linear() = Eigen::AngleAxisd(turnOf(peak.yaw).angle(), Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    turn.translation().head<2>() = place - turnOf(peak.yaw) * plan.mapMiddle_m;
+    std::vector<Eigen::Vector3d> turned;
+    turned.reserve(level.size());
+    for (const Eigen::Vector3d& point : level)
+        turned.push_back(turn * point);
+    turn.translation().z() = heights.bestRise_m(turned);
+    return turn;
+}
+
 }  // namespace
 
 Eigen::Matrix3d levelling(const SurfacePatches& cloud) {
     // The mean normal of the level surfaces, drawn to where most of them are: sloping plates do not count.
     constexpr double kFirstWidth_rad = 0.30;
     constexpr double kLastWidth_rad = 0.05;
+    const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
     Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
     for (double width_rad = kFirstWidth_rad; width_rad > kLastWidth_rad; width_rad *= 0.8) {
-        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-        for (const SurfacePatch& patch : cloud.all()) {
-            const Eigen::Vector3d normal = patch.normal.z() < 0.0 ? Eigen::Vector3d(-patch.normal) : patch.normal;
-            const double away = normal.cross(up).norm() / width_rad;
-            if (away < 1.0 && normal.dot(up) > 0.0) sum += patch.planarity * (1.0 - away * away) * normal;
-        }
+        const Eigen::Vector3d sum = orderedSum(cloud.size(), zero, [&](std::size_t begin, std::size_t end) {
+            Eigen::Vector3d sum = zero;
+            for (const SurfacePatch& patch : cloud.all().subspan(begin, end - begin)) {
+                const Eigen::Vector3d normal = patch.normal.z() < 0.0 ? Eigen::Vector3d(-patch.normal) : patch.normal;
+                const double away = normal.cross(up).norm() / width_rad;
+                if (away < 1.0 && normal.dot(up) > 0.0) sum += patch.planarity * (1.0 - away * away) * normal;
+            }
+            return sum;
+        });
         if (!(sum.norm() > 0.0)) break;
         up = sum.normalized();
     }
@@ -258,25 +282,14 @@ std::vector<Transform> searchPlan(const SurfacePatches& map, const SurfacePatche
 
     const HeightsByCell heights(reference, referenceLevel, plan.cellSize_m);
     const std::vector<Eigen::Vector3d> level = levelPoints(map, mapLevel);
-    std::vector<Transform> motions;
-    for (const Peak& peak : peaks) {
-        // A mark at its turned place q was drawn at (q + radius + half a cell) / cell, one of the reference at
-        // (p - corner) / cell; the shift makes them one.
-        const Eigen::Vector2d place =
-            peak.shift_m + plan.corner_m + Eigen::Vector2d::Constant(plan.mapRadius_m() + plan.cellSize_m / 2.0);
-        Transform turn = Transform::Identity();
-        turn.linear() = Eigen::AngleAxisd(turnOf(peak.yaw).angle(), Eigen::Vector3d::UnitZ()).toRotationMatrix();
-        turn.translation().head<2>() = place - turnOf(peak.yaw) * plan.mapMiddle_m;
-        std::vector<Eigen::Vector3d> turned;
-        turned.reserve(level.size());
-        for (const Eigen::Vector3d& point : level)
-            turned.push_back(turn * point);
-        turn.translation().z() = heights.bestRise_m(turned);
-        Transform motion = Transform::Identity();
-        motion.linear() = referenceLevel.transpose() * turn.linear() * mapLevel;
-        motion.translation() = referenceLevel.transpose() * turn.translation();
-        motions.push_back(motion);
-    }
+    std::vector<Transform> motions(peaks.size());
+    tbb::parallel_for(std::size_t{0}, peaks.size(), [&](std::size_t i) {
+        progress.throwIfCancelled();
+        const Transform turn = turnedUp(peaks[i], plan, level, heights);
+        motions[i] = Transform::Identity();
+        motions[i].linear() = referenceLevel.transpose() * turn.linear() * mapLevel;
+        motions[i].translation() = referenceLevel.transpose() * turn.translation();
+    });
     return motions;
 }
 

@@ -91,8 +91,10 @@ Transform moveBy(const MotionEquations::Vector& step, const MotionEquations& mot
 }  // namespace
 
 void PatchPairs::moveTo(const Transform& T_target_from_source, Progress& progress) {
-    for (std::size_t i = 0; i < chosen_.size(); ++i)
-        centres_[i] = T_target_from_source * source_.all()[chosen_[i]].centre;
+    forEachPart(chosen_.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+        for (std::size_t i = begin; i < end; ++i)
+            centres_[i] = T_target_from_source * source_.all()[chosen_[i]].centre;
+    });
     target_.places().update(centres_, pairs_, progress);
 }
 

@@ -32,7 +32,7 @@ struct PairSums {
 
 PairSums sumsOf(const PointPairs& pairs, const Eigen::Vector3d& about, double maximumDistance_m) {
     const double limit_m2 = maximumDistance_m * maximumDistance_m;
-    return orderedSum<PairSums>(pairs.moved().size(), [&](std::size_t begin, std::size_t end) {
+    return orderedSum(pairs.moved().size(), PairSums{}, [&](std::size_t begin, std::size_t end) {
         PairSums sums;
         for (std::size_t i = begin; i < end; ++i) {
             const Neighbour& nearest = pairs.nearest()[i];

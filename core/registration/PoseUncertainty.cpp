@@ -78,7 +78,7 @@ Vector6 MotionEquations::row(const PlaneEquation& equation, const Eigen::Vector3
 
 MotionEquations motionEquations(std::span<const PlaneEquation> equations) {
     MotionEquations motion;
-    const auto middle = orderedSum<WeightedSum>(equations.size(), [&](std::size_t begin, std::size_t end) {
+    const auto middle = orderedSum(equations.size(), WeightedSum{}, [&](std::size_t begin, std::size_t end) {
         WeightedSum sum;
         for (const PlaneEquation& equation : equations.subspan(begin, end - begin)) {
             sum.points += equation.weight * equation.point_reference;
@@ -89,14 +89,14 @@ MotionEquations motionEquations(std::span<const PlaneEquation> equations) {
     motion.weight = middle.weight;
     if (!(motion.weight > 0.0)) return motion;
     motion.centre = middle.points / middle.weight;
-    const auto squares_m2 = orderedSum<double>(equations.size(), [&](std::size_t begin, std::size_t end) {
+    const auto squares_m2 = orderedSum(equations.size(), 0.0, [&](std::size_t begin, std::size_t end) {
         double sum_m2 = 0.0;
         for (const PlaneEquation& equation : equations.subspan(begin, end - begin))
             sum_m2 += equation.weight * (equation.point_reference - motion.centre).squaredNorm();
         return sum_m2;
     });
     motion.length_m = std::max(std::sqrt(squares_m2 / motion.weight), 1e-6);
-    const auto normal = orderedSum<NormalEquations>(equations.size(), [&](std::size_t begin, std::size_t end) {
+    const auto normal = orderedSum(equations.size(), NormalEquations{}, [&](std::size_t begin, std::size_t end) {
         NormalEquations sum;
         for (const PlaneEquation& equation : equations.subspan(begin, end - begin)) {
             const Vector6 row = MotionEquations::row(equation, motion.centre, motion.length_m);

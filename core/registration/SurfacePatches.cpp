@@ -22,11 +22,6 @@ constexpr double kReach_voxels = 3.0;
 constexpr double kEdgeRatio = 4.0;
 constexpr double kLeastPlanarity = 0.3;
 
-std::vector<Eigen::Vector3d> voxelMeans(std::span<const Eigen::Vector3d> points, double voxelSize_m) {
-    const Eigen::Vector3d origin = minimumCorner(points) - Eigen::Vector3d::Constant(voxelSize_m / 2.0);
-    return voxelGrid(points, origin, {voxelSize_m}).points;
-}
-
 /// Floats suffice for PCL's points because they are near the origin, wherever the cloud lies.
 pcl::PointCloud<pcl::PointXYZ> pclPoints(std::span<const Eigen::Vector3d> points, const Eigen::Vector3d& origin) {
     pcl::PointCloud<pcl::PointXYZ> cloud;
@@ -81,6 +76,11 @@ std::size_t directionOf(const Eigen::Vector3d& normal) {
 }
 
 }  // namespace
+
+std::vector<Eigen::Vector3d> voxelMeans(std::span<const Eigen::Vector3d> points, double voxelSize_m) {
+    const Eigen::Vector3d origin = minimumCorner(points) - Eigen::Vector3d::Constant(voxelSize_m / 2.0);
+    return voxelGrid(points, origin, {voxelSize_m}).points;
+}
 
 SurfacePatches::SurfacePatches(std::span<const Eigen::Vector3d> points, double voxelSize_m, Progress& progress)
     : voxelSize_m_(voxelSize_m),

@@ -11,6 +11,9 @@
 
 namespace fodscope {
 
+/// Voxel means on a lattice that starts half a voxel below the least coordinates (Open3D's).
+std::vector<Eigen::Vector3d> voxelMeans(std::span<const Eigen::Vector3d> points, double voxelSize_m);
+
 /// A small piece of surface: the plane through the voxels round one voxel of a cloud.
 struct SurfacePatch {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();

@@ -3,9 +3,14 @@
 """Runs stages of Fodscope and of the programs that people would use instead, in turns, on the same files.
 
     /usr/bin/python3 tests/benchmark/versus_peers.py --timer build/bin/fodscope-stage-timer --mesh TANK.ply [--rounds 5]
+        [--cli build/bin/fodscope-cli --reference REF.ply --map MAP.pcd [--trials DIR]]
 
 Needs Debian's python3-numpy, python3-scipy and python3-open3d, and cloudcompare with xvfb-run. Prints a table of the
 ratios peer / Fodscope: median, least and greatest over the rounds. The files are read before either clock starts.
+
+With --cli a map's way from its file to its candidates is measured too: fodscope-cli from its start to its end, results
+written, against peer_pipeline.py, whose interpreter and libraries are loaded before its clock starts. REF.ply is a
+reference with covariances. With --trials also the search for the best parameters, which has no peer.
 """
 import argparse
 import json
@@ -14,6 +19,7 @@ import pathlib
 import re
 import statistics
 import subprocess
+import sys
 import tempfile
 import time
 
@@ -23,6 +29,9 @@ import numpy as np
 import open3d as o3d
 from scipy.cluster.hierarchy import fcluster, linkage
 from scipy.spatial import cKDTree
+
+sys.dont_write_bytecode = True
+import peer_pipeline
 
 
 def sampled(mesh, count, seed):
@@ -78,12 +87,75 @@ def cloud_compare(cloud, reference):
     return float(found[-1])
 
 
+class OursWhole:
+    """fodscope-cli detect as a user runs it."""
+
+    def __init__(self, cli, reference, cloud, folder):
+        self.command = [cli, "detect", "--reference", reference, "--map", cloud, "--out", str(folder / "detection")]
+        self.folder = folder / "detection"
+
+    def __call__(self, *options):
+        seconds, _ = timed(lambda: subprocess.run(self.command + list(options), check=True, capture_output=True))
+        answer = json.loads((self.folder / "candidates.json").read_text())
+        header = (self.folder / "discrepancy.ply").read_bytes()[:4096]
+        voxels = int(re.search(rb"element vertex (\d+)", header).group(1))
+        return seconds, np.array(answer["T_reference_from_map"]), voxels, answer
+
+
+def require_agreement(ours, peer, reference_points):
+    """The pose to 5 mm anywhere in the reference, the voxels to a thousandth, the candidates to one."""
+    _, pose, voxels, answer = ours
+    low, high = reference_points.min(axis=0), reference_points.max(axis=0)
+    corners = np.array([[x, y, z, 1.0] for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2])])
+    there = np.linalg.inv(pose) @ corners.T
+    away_m = np.linalg.norm(((np.array(peer["pose"]) - pose) @ there)[:3], axis=0).max()
+    assert away_m < 0.005, away_m
+    assert abs(voxels - peer["voxels"]) < 1e-3 * voxels, (voxels, peer["voxels"])
+    assert abs(len(answer["candidates"]) - peer["candidates"]) <= 1, (len(answer["candidates"]), peer["candidates"])
+    return away_m
+
+
+def whole_map(options, folder, row):
+    ours = OursWhole(options.cli, options.reference, options.map, folder)
+    reference_points = peer_pipeline.read_reference(options.reference)[0]
+
+    def cold():
+        mine = ours()
+        other = peer_pipeline.run(options.reference, options.map)
+        require_agreement(mine, other, reference_points)
+        return mine[0], other["seconds"]
+    row("one map, file to candidates, pose unknown", "Open3D and scipy", cold)
+
+    start = ours()[1] @ np.array([[np.cos(0.03), -np.sin(0.03), 0, 0.1], [np.sin(0.03), np.cos(0.03), 0, -0.05],
+                                  [0, 0, 1, 0.02], [0, 0, 0, 1.0]])
+    np.savetxt(folder / "start.csv", start, delimiter=",")
+
+    def started():
+        mine = ours("--initial", str(folder / "start.csv"))
+        other = peer_pipeline.run(options.reference, options.map, start)
+        require_agreement(mine, other, reference_points)
+        return mine[0], other["seconds"]
+    row("one map, file to candidates, start pose given", "Open3D and scipy", started)
+
+
+def search_seconds(options, folder):
+    command = [options.cli, "tune", "--reference", options.reference, "--trials", options.trials,
+               "--metric", "mahalanobis", "--crop-height", "0.6", "--out", str(folder / "tuned.yaml")]
+    return timed(lambda: subprocess.run(command, check=True, capture_output=True))[0]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--timer", required=True, help="build/bin/fodscope-stage-timer")
     parser.add_argument("--mesh", required=True, help="a tank's CAD mesh, metres")
     parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--cli", help="build/bin/fodscope-cli")
+    parser.add_argument("--reference", help="with covariances; with --cli")
+    parser.add_argument("--map", help="with --cli")
+    parser.add_argument("--trials", help="folder of maps with known FOD; with --cli")
     options = parser.parse_args()
+    if options.cli and not (options.reference and options.map):
+        parser.error("--cli needs --reference and --map")
     ours = Ours(options.timer)
     mesh = o3d.io.read_triangle_mesh(options.mesh)
     rows = []
@@ -103,6 +175,8 @@ def main():
     print("| work | peer | Fodscope s | peer s | ratio | least to greatest |\n|---|---|---|---|---|---|")
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
+        if options.cli:
+            whole_map(options, folder, row)
         million = write(folder, "million", sampled(mesh, 1_000_000, 1))
         noise = write(folder, "noise", noisy(sampled(mesh, 1_000_000, 2), 0.01, 3))
 
@@ -159,6 +233,9 @@ def main():
 
         many = write(folder, "many", noisy(sampled(mesh, 200_000, 9), 0.01, 10))
         seconds, _, memory = ours("clusters", "--cloud", many, "--length", 0.345)
+        if options.trials:
+            seconds_of_search = [search_seconds(options, folder) for _ in range(options.rounds)]
+            print(f"\nsearch of the parameters: {statistics.median(seconds_of_search):.1f} s")
         print(f"\ncentroid clusters of 200 k: {seconds:.2f} s, peak memory {memory / 2**20:.0f} MiB")
 
 
