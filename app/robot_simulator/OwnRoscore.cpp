@@ -66,6 +66,8 @@ OwnRoscore::OwnRoscore() {
     if (process_ < 0) throw Error("roscore", "it could not be started", "start it by hand");
     if (process_ > 0) return;
     // It must not outlive this program, however that ends; a Ctrl+C at the terminal is for this program to pass on.
+    // A shell's background job has it ignored, and rosmaster would not hear it.
+    signal(SIGINT, SIG_DFL);
     prctl(PR_SET_PDEATHSIG, SIGINT);
     setpgid(0, 0);
     execlp("roscore", "roscore", "-p", address.port.c_str(), static_cast<char*>(nullptr));

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "app/robot_simulator/ros/Faults.h"
 
+#include <std_msgs/String.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
 #include <cmath>
 #include <functional>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -111,17 +113,34 @@ const std::map<std::string, Reader>& readers() {
 
 }  // namespace
 
+FaultSource::FaultSource(const ros::NodeHandle& privateNode)
+    : node_(privateNode), inEffect_(node_.advertise<std_msgs::String>("faults_in_effect", 1, true)) {}
+
 Faults FaultSource::read() {
     Faults faults;
     XmlRpc::XmlRpcValue values;
-    if (!node_.getParamCached("faults", values)) return faults;
-    if (values.getType() != XmlRpc::XmlRpcValue::TypeStruct) return faults;
+    node_.getParamCached("faults", values);
+    if (values.getType() != XmlRpc::XmlRpcValue::TypeStruct) {
+        tell("");
+        return faults;
+    }
+    std::ostringstream inEffect;
     for (auto& entry : values) {
         const auto reader = readers().find(entry.first);
         if (reader == readers().end()) refuse(entry.first, "no such parameter", "give one of " + listed(readers()));
         reader->second(faults, entry.first, entry.second);
+        inEffect << (inEffect.tellp() > 0 ? " " : "") << entry.first << "=" << entry.second;
     }
+    tell(inEffect.str());
     return faults;
+}
+
+void FaultSource::tell(const std::string& inEffect) {
+    if (inEffect == told_) return;
+    told_ = inEffect;
+    std_msgs::String message;
+    message.data = inEffect;
+    inEffect_.publish(message);
 }
 
 }  // namespace fodscope::robot_simulator

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ros/node_handle.h>
+#include <ros/publisher.h>
 
 #include <string>
 
@@ -49,13 +50,18 @@ struct Faults {
 /// as they were.
 class FaultSource {
   public:
-    explicit FaultSource(const ros::NodeHandle& node) : node_(node) {}
+    explicit FaultSource(const ros::NodeHandle& privateNode);
 
+    /// Tells on the latched topic `~faults_in_effect` when they have become others, as NAME=VALUE words.
     /// @throws std::runtime_error with one sentence for an unknown fault or value
     Faults read();
 
   private:
+    void tell(const std::string& inEffect);
+
     ros::NodeHandle node_;
+    ros::Publisher inEffect_;
+    std::string told_;
 };
 
 }  // namespace fodscope::robot_simulator

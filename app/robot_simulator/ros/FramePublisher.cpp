@@ -56,20 +56,15 @@ std::vector<geometry_msgs::TransformStamped> fixedTransforms(const CameraShape& 
 
 FramePublisher::FramePublisher(ros::NodeHandle& node, const RobotModel& model, const Faults& faults,
                                const RobotClock& clock)
-    : model_(model),
-      faults_(faults),
-      clock_(clock),
-      odometry_(node.advertise<nav_msgs::Odometry>("odom", 10)),
-      lastFresh_(clock.now()) {
+    : model_(model), faults_(faults), clock_(clock), odometry_(node.advertise<nav_msgs::Odometry>("odom", 10)) {
     fixedFrames_.sendTransform(fixedTransforms(model.camera(), clock.now()));
 }
 
 void FramePublisher::step(double now_s) {
     if (now_s < due_s_) return;
     due_s_ = now_s + kPeriod_s;
-    if (faults_.tf != TfFault::Stale) lastFresh_ = clock_.now();
     const PlanarPose base_odom = relative(model_.start_map(), model_.pose_map());
-    sendFrames(base_odom);
+    if (faults_.tf != TfFault::Stale) sendFrames(base_odom);
     if (faults_.odometry != OdometryFault::Silent) sendOdometry(base_odom);
 }
 
@@ -85,8 +80,9 @@ PlanarPose FramePublisher::odomInMap() const {
 }
 
 void FramePublisher::sendFrames(const PlanarPose& base_odom) {
-    std::vector<geometry_msgs::TransformStamped> frames{transform(kOdomFrame, kBaseFrame, base_odom, lastFresh_)};
-    if (faults_.tf != TfFault::Missing) frames.push_back(transform(kMapFrame, kOdomFrame, odomInMap(), lastFresh_));
+    const ros::Time stamp = clock_.now();
+    std::vector<geometry_msgs::TransformStamped> frames{transform(kOdomFrame, kBaseFrame, base_odom, stamp)};
+    if (faults_.tf != TfFault::Missing) frames.push_back(transform(kMapFrame, kOdomFrame, odomInMap(), stamp));
     frames_.sendTransform(frames);
 }
 

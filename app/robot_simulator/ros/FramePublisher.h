@@ -31,7 +31,6 @@ class FramePublisher {
     tf2_ros::StaticTransformBroadcaster fixedFrames_;
     ros::Publisher odometry_;
     double due_s_ = 0.0;
-    ros::Time lastFresh_;
 };
 
 }  // namespace fodscope::robot_simulator

@@ -1,23 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "app/robot_simulator/ros/MasterWatch.h"
 
-#include <ros/param.h>
+#include <ros/master.h>
+#include <ros/this_node.h>
+#include <xmlrpcpp/XmlRpcValue.h>
 
 #include <chrono>
 
 namespace fodscope::robot_simulator {
 namespace {
 
-/// roscore draws one each time it starts. @return empty while none answers
-std::string runId() {
-    std::string id;
-    ros::param::get("/run_id", id);
-    return id;
+/// @return the master's process id; 0 while none answers
+int masterProcess() {
+    XmlRpc::XmlRpcValue request, response, payload;
+    request[0] = ros::this_node::getName();
+    if (!ros::master::execute("getPid", request, response, payload, false)) return 0;
+    return payload.getType() == XmlRpc::XmlRpcValue::TypeInt ? static_cast<int&>(payload) : 0;
 }
 
 }  // namespace
 
-MasterWatch::MasterWatch() : firstRun_(runId()), thread_([this] { watch(); }) {}
+MasterWatch::MasterWatch() : first_(masterProcess()), thread_([this] { watch(); }) {}
 
 MasterWatch::~MasterWatch() {
     {
@@ -33,9 +36,8 @@ void MasterWatch::watch() {
     std::unique_lock<std::mutex> lock(mutex_);
     while (!ending_.wait_for(lock, kPeriod, [this] { return ends_; })) {
         lock.unlock();
-        const std::string run = runId();
-        if (firstRun_.empty()) firstRun_ = run;
-        if (!run.empty() && run != firstRun_) isAnother_ = true;
+        const int now = masterProcess();
+        if (now != 0 && now != first_) isAnother_ = true;
         lock.lock();
     }
 }

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <condition_variable>
 #include <mutex>
-#include <string>
 #include <thread>
 
 namespace fodscope::robot_simulator {
@@ -23,7 +22,7 @@ class MasterWatch {
   private:
     void watch();
 
-    std::string firstRun_;
+    int first_;
     std::atomic<bool> isAnother_{false};
     std::mutex mutex_;
     std::condition_variable ending_;

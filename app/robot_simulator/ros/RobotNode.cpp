@@ -37,9 +37,8 @@ class RobotNode {
 
     /// @return where the robot stands when it is to begin again under another master; empty at the end
     std::optional<PlanarPose> run() {
-        const MasterWatch master;
         while (ros::ok()) {
-            if (master.isAnotherMaster()) return model_->pose_map();
+            if (master_.isAnotherMaster()) return model_->pose_map();
             ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kStep_s));
             const double now_s = ros::SteadyTime::now().toSec();
             if (now_s < due_s_) continue;
@@ -76,6 +75,7 @@ class RobotNode {
     }
 
     ros::NodeHandle node_;
+    MasterWatch master_;
     FaultSource faultSource_;
     Faults faults_;
     RobotClock clock_;
@@ -99,7 +99,6 @@ std::optional<std::vector<std::string>> runRobotNode(std::vector<std::string> ar
     int argc = static_cast<int>(argv.size());
     argv.push_back(nullptr);
     ros::init(argc, argv.data(), "robot_simulator");
-    if (!ros::master::check()) ROS_INFO("waiting for a master at %s", ros::master::getURI().c_str());
     ros::NodeHandle node;
     const ros::NodeHandle privateNode("~");
     settings = withParameters(std::move(settings), privateNode);

@@ -8,6 +8,7 @@ its standard input closes. With --port a master comes back where one was.
 """
 
 import argparse
+import ctypes
 import os
 import signal
 import socket
@@ -22,6 +23,29 @@ def free_port():
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         return probe.getsockname()[1]
+
+
+def _die_with_parent():
+    """Runs in the new process: a test that crashes leaves no master behind. A shell that runs tests in the background
+    has SIGINT ignored, and rosmaster would not hear it."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+    ctypes.CDLL(None).prctl(1, signal.SIGINT)
+
+
+def _descendants(pid):
+    """roscore gives master and rosout sessions of their own, so no group holds them all."""
+    parents = {}
+    for name in os.listdir("/proc"):
+        if name.isdigit():
+            try:
+                with open(f"/proc/{name}/stat", encoding="utf-8", errors="replace") as stat:
+                    parents[int(name)] = int(stat.read().rsplit(")", 1)[1].split()[1])
+            except OSError:
+                pass
+    found = [pid]
+    for one in found:
+        found += [child for child, parent in parents.items() if parent == one]
+    return found
 
 
 class RosCore:
@@ -52,7 +76,7 @@ class RosCore:
         self._process = subprocess.Popen(
             ["/usr/bin/python3", "/usr/bin/roscore", "-p", str(self.port)],
             env=self.environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-            start_new_session=True)
+            start_new_session=True, preexec_fn=_die_with_parent)
         deadline = time.monotonic() + self._start_within_s
         while not self.answers():
             if self._process.poll() is not None:
@@ -72,28 +96,29 @@ class RosCore:
 
     def kill(self):
         """Ends it as a crash or a power cut does: nobody is told."""
-        self._end(signal.SIGKILL)
+        if self._process is None:
+            return
+        for pid in _descendants(self._process.pid):
+            try:
+                os.kill(pid, signal.SIGKILL)
+            except ProcessLookupError:
+                pass
+        self._process.wait()
+        self._process = None
 
     def stop(self):
-        self._end(signal.SIGINT)
+        if self._process is None:
+            return
+        self._process.send_signal(signal.SIGINT)
+        try:
+            self._process.wait(timeout=15)
+            self._process = None
+        except subprocess.TimeoutExpired:
+            self.kill()
 
     def close(self):
         self.stop()
         self._home.cleanup()
-
-    def _end(self, how):
-        if self._process is None:
-            return
-        for one in (how, signal.SIGKILL):
-            try:
-                os.killpg(self._process.pid, one)
-                self._process.wait(timeout=10)
-            except ProcessLookupError:
-                pass
-            except subprocess.TimeoutExpired:
-                continue
-        self._process.wait()
-        self._process = None
 
 
 def main():
