@@ -10,6 +10,13 @@
 
 namespace fodscope {
 
+/// From the cutoff of a round to the next.
+inline constexpr double kRoundStep = 1.5;
+
+/// @param denser how many times as many there are, if these are a sample
+/// @return the cutoff of the first round, at most `largest_m`
+double firstReach(const std::vector<LivingCluster>& clusters, double largest_m, double denser = 1.0);
+
 /// Centroid linkage as far as it has come: its clusters, and what it takes to go on to a greater cutoff; see
 /// mergeSequence().
 ///

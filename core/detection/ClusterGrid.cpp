@@ -25,23 +25,20 @@ double largestCoordinate(const std::vector<LivingCluster>& clusters) {
     return largest;
 }
 
-std::int64_t cellOf(double coordinate) {
-    return static_cast<std::int64_t>(std::floor(coordinate));
-}
-
 double squared(double value) {
     return value * value;
 }
 
 }  // namespace
 
-ClusterGrid::ClusterGrid(std::vector<LivingCluster> clusters, double reach_m) {
+ClusterGrid::ClusterGrid(const std::vector<LivingCluster>& clusters, double reach_m) {
     cell_m_ = std::clamp(kWider * reach_m, largestCoordinate(clusters) / kMostCells, 1e300);
     cell_m_ = std::max(cell_m_, std::numeric_limits<double>::min());
     cellsPerMetre_ = 1.0 / cell_m_;
     const std::size_t buckets = std::bit_ceil(std::max<std::size_t>(16, 2 * clusters.size()));
     mask_ = buckets - 1;
     heads_.assign(buckets, 0);
+    versions_.resize(clusters.size(), 0);
     std::vector<std::uint32_t> bucket(clusters.size());
     for (std::size_t i = 0; i < clusters.size(); ++i) {
         bucket[i] = bucketOf(clusters[i].centroid);
@@ -55,7 +52,7 @@ ClusterGrid::ClusterGrid(std::vector<LivingCluster> clusters, double reach_m) {
     nodes_.resize(clusters.size());
     for (std::size_t i = 0; i < clusters.size(); ++i) {
         const std::uint32_t slot = heads_[bucket[i]]++;
-        nodes_[slot] = {clusters[i].centroid, clusters[i].id, clusters[i].count, slot + 1, 0};
+        nodes_[slot] = {clusters[i].centroid, clusters[i].id, clusters[i].count, slot + 1, bucket[i]};
     }
     // Each head is now where the next bucket's clusters begin.
     for (std::size_t b = buckets; b-- > 0;) {
@@ -73,23 +70,13 @@ std::uint64_t ClusterGrid::hash(std::int64_t x, std::int64_t y, std::int64_t z) 
 
 std::uint32_t ClusterGrid::bucketOf(const Eigen::Vector3d& point) const {
     const Eigen::Vector3d at = point * cellsPerMetre_;
-    return static_cast<std::uint32_t>(hash(cellOf(at.x()), cellOf(at.y()), cellOf(at.z())) & mask_);
+    return static_cast<std::uint32_t>(hash(wholeBelow(at.x()), wholeBelow(at.y()), wholeBelow(at.z())) & mask_);
 }
 
-inline void ClusterGrid::scan(std::uint64_t hash, std::uint32_t slot, Found& best, std::uint32_t& bestId) const {
-    for (std::uint32_t other = heads_[hash & mask_]; other != kNone; other = nodes_[other].next) {
-        const Node& node = nodes_[other];
-        const double distance = squaredDistance(nodes_[slot].centroid, node.centroid);
-        if (distance > best.squaredDistance || other == slot) continue;
-        if (distance == best.squaredDistance && node.id >= bestId) continue;
-        best = {distance, other};
-        bestId = node.id;
-    }
-}
-
-ClusterGrid::Found ClusterGrid::nearestOther(std::uint32_t slot, double largestSquaredDistance) const {
+template <typename Accept>
+ClusterGrid::Found ClusterGrid::nearest(std::uint32_t slot, double largestSquaredDistance, const Accept& accept) const {
     const Eigen::Vector3d at = nodes_[slot].centroid * cellsPerMetre_;
-    const std::array<std::int64_t, 3> cell{cellOf(at.x()), cellOf(at.y()), cellOf(at.z())};
+    const std::array<std::int64_t, 3> cell{wholeBelow(at.x()), wholeBelow(at.y()), wholeBelow(at.z())};
     /// Squared distance to the walls of the own cell, before and behind in each direction.
     std::array<std::array<double, 2>, 3> wall;
     for (int axis = 0; axis < 3; ++axis) {
@@ -99,12 +86,22 @@ ClusterGrid::Found ClusterGrid::nearestOther(std::uint32_t slot, double largestS
     }
     Found best{largestSquaredDistance, kNone};
     std::uint32_t bestId = kNone;
+    const auto scan = [&](std::uint64_t hash) {
+        for (std::uint32_t other = heads_[hash & mask_]; other != kNone; other = nodes_[other].next) {
+            const Node& node = nodes_[other];
+            const double distance = squaredDistance(nodes_[slot].centroid, node.centroid);
+            if (distance > best.squaredDistance || other == slot || !accept(other)) continue;
+            if (distance == best.squaredDistance && node.id >= bestId) continue;
+            best = {distance, other};
+            bestId = node.id;
+        }
+    };
     const auto row = [&](std::int64_t y, std::int64_t z, double distance) {
         if (distance > best.squaredDistance) return;
         const std::uint64_t middle = hash(cell[0], cell[1] + y, cell[2] + z);
-        scan(middle, slot, best, bestId);
-        if (distance + wall[0][0] <= best.squaredDistance) scan(middle - 1, slot, best, bestId);
-        if (distance + wall[0][1] <= best.squaredDistance) scan(middle + 1, slot, best, bestId);
+        scan(middle);
+        if (distance + wall[0][0] <= best.squaredDistance) scan(middle - 1);
+        if (distance + wall[0][1] <= best.squaredDistance) scan(middle + 1);
     };
     row(0, 0, 0.0);
     const std::int64_t nearY = wall[1][0] <= wall[1][1] ? -1 : 1;
@@ -122,13 +119,23 @@ ClusterGrid::Found ClusterGrid::nearestOther(std::uint32_t slot, double largestS
     return best;
 }
 
+ClusterGrid::Found ClusterGrid::nearestOther(std::uint32_t slot, double largestSquaredDistance) const {
+    return nearest(slot, largestSquaredDistance, [](std::uint32_t) { return true; });
+}
+
+ClusterGrid::Found ClusterGrid::nearestFlagged(std::uint32_t slot, double largestSquaredDistance,
+                                               const std::vector<std::uint8_t>& flags) const {
+    return nearest(slot, largestSquaredDistance, [&](std::uint32_t other) { return flags[other] != 0; });
+}
+
 void ClusterGrid::link(std::uint32_t slot, std::uint32_t bucket) {
+    nodes_[slot].bucket = bucket;
     nodes_[slot].next = heads_[bucket];
     heads_[bucket] = slot;
 }
 
-void ClusterGrid::unlink(std::uint32_t slot, std::uint32_t bucket) {
-    std::uint32_t* link = &heads_[bucket];
+void ClusterGrid::unlink(std::uint32_t slot) {
+    std::uint32_t* link = &heads_[nodes_[slot].bucket];
     while (*link != slot)
         link = &nodes_[*link].next;
     *link = nodes_[slot].next;
@@ -136,21 +143,21 @@ void ClusterGrid::unlink(std::uint32_t slot, std::uint32_t bucket) {
 
 std::uint32_t ClusterGrid::merge(std::uint32_t slot, std::uint32_t other) {
     const std::uint32_t kept = nodes_[slot].id < nodes_[other].id ? slot : other;
+    const std::uint32_t removed = kept == slot ? other : slot;
     Node& stays = nodes_[kept];
-    Node& goes = nodes_[kept == slot ? other : slot];
-    unlink(kept == slot ? other : slot, bucketOf(goes.centroid));
-    const std::uint32_t before = bucketOf(stays.centroid);
+    Node& goes = nodes_[removed];
+    unlink(removed);
     const double count = static_cast<double>(stays.count) + static_cast<double>(goes.count);
     const Eigen::Vector3d step = goes.centroid - stays.centroid;
     stays.centroid += step * (static_cast<double>(goes.count) / count);
     stays.count += goes.count;
     goes.count = 0;
-    ++stays.version;
-    ++goes.version;
-    const std::uint32_t after = bucketOf(stays.centroid);
-    if (after != before) {
-        unlink(kept, before);
-        link(kept, after);
+    ++versions_[kept];
+    ++versions_[removed];
+    const std::uint32_t bucket = bucketOf(stays.centroid);
+    if (bucket != stays.bucket) {
+        unlink(kept);
+        link(kept, bucket);
     }
     return kept;
 }

@@ -11,6 +11,12 @@
 
 namespace fodscope {
 
+/// The floor of a number within the range of the result: quicker than the one for all numbers.
+inline std::int64_t wholeBelow(double value) {
+    const auto towardsZero = static_cast<std::int64_t>(value);
+    return towardsZero - (static_cast<double>(towardsZero) > value ? 1 : 0);
+}
+
 /// A cluster that may still be merged.
 struct LivingCluster {
     Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
@@ -33,16 +39,24 @@ class ClusterGrid {
     };
 
     /// @param reach_m nearestOther() finds all clusters within this, and may find ones a little farther
-    ClusterGrid(std::vector<LivingCluster> clusters, double reach_m);
+    ClusterGrid(const std::vector<LivingCluster>& clusters, double reach_m);
 
     std::uint32_t size() const { return static_cast<std::uint32_t>(nodes_.size()); }
     std::uint32_t id(std::uint32_t slot) const { return nodes_[slot].id; }
     /// Changes when the cluster is merged, whether it stays or goes.
-    std::uint32_t version(std::uint32_t slot) const { return nodes_[slot].version; }
+    std::uint32_t version(std::uint32_t slot) const { return versions_[slot]; }
+
+    const Eigen::Vector3d& centroid(std::uint32_t slot) const { return nodes_[slot].centroid; }
+    std::uint32_t count(std::uint32_t slot) const { return nodes_[slot].count; }
+    /// At least the reach.
+    double cell_m() const { return cell_m_; }
 
     /// @return the nearest other cluster at most that far away, of several at the same distance the one with the least
     ///         id; no slot when there is none
     Found nearestOther(std::uint32_t slot, double largestSquaredDistance) const;
+    /// Of those whose flag, one a slot, is set.
+    Found nearestFlagged(std::uint32_t slot, double largestSquaredDistance,
+                         const std::vector<std::uint8_t>& flags) const;
 
     /// The cluster with the lower id stays, moved to the centroid of both.
     /// @return its slot
@@ -58,16 +72,18 @@ class ClusterGrid {
         /// 0: it was merged into another one.
         std::uint32_t count;
         std::uint32_t next;
-        std::uint32_t version;
+        std::uint32_t bucket;
     };
 
     std::uint64_t hash(std::int64_t x, std::int64_t y, std::int64_t z) const;
     std::uint32_t bucketOf(const Eigen::Vector3d& point) const;
-    void scan(std::uint64_t hash, std::uint32_t slot, Found& best, std::uint32_t& bestId) const;
+    template <typename Accept>
+    Found nearest(std::uint32_t slot, double largestSquaredDistance, const Accept& accept) const;
     void link(std::uint32_t slot, std::uint32_t bucket);
-    void unlink(std::uint32_t slot, std::uint32_t bucket);
+    void unlink(std::uint32_t slot);
 
     std::vector<Node> nodes_;
+    std::vector<std::uint32_t> versions_;
     std::vector<std::uint32_t> heads_;
     std::uint64_t mask_ = 0;
     double cell_m_ = 1.0;

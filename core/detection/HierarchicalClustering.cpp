@@ -22,17 +22,6 @@ void checkCutoff(double cutoff_m) {
     }
 }
 
-void checkPoints(std::span<const Eigen::Vector3d> points) {
-    if (points.size() > std::numeric_limits<std::uint32_t>::max()) {
-        throw Error("points to cluster", "are more than 4 billion", "raise the threshold");
-    }
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (points[i].allFinite()) continue;
-        throw Error("points to cluster", "number " + std::to_string(i) + " has a coordinate that is not finite",
-                    "drop such points first");
-    }
-}
-
 /// Single linkage knows places by their position in the list.
 void appendSingleMerges(const std::vector<LivingCluster>& places, double cutoff_m, std::vector<Merge>& merges,
                         Progress& progress) {
@@ -48,7 +37,7 @@ void appendSingleMerges(const std::vector<LivingCluster>& places, double cutoff_
 
 GrowingMergeSequence::GrowingMergeSequence(std::span<const Eigen::Vector3d> points, Linkage linkage)
     : linkage_(linkage) {
-    checkPoints(points);
+    requireFinite(points);
     Places places = placesOf(points);
     sequence_ = {points.size(), 0.0, std::move(places.merges)};
     samePlaceMerges_ = sequence_.merges.size();

@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include "core/detection/Places.h"
+
 namespace fodscope {
 
 LiveCandidates::LiveCandidates(std::shared_ptr<const DiscrepancyField> field, double voxelSize_m, double floorHeight_m,
@@ -21,7 +23,8 @@ std::shared_ptr<const CandidateSet> LiveCandidates::find(const CandidateSettings
         return last_;
     } catch (...) {
         settings_.reset();
-        merges_.reset();
+        centroidMerges_.reset();
+        singleMerges_.reset();
         last_.reset();
         throw;
     }
@@ -35,17 +38,68 @@ void LiveCandidates::threshold(const CandidateSettings& settings) {
     std::vector<std::uint32_t> above = voxelsAbove(field_->smoothed(settings.metric), settings.threshold);
     if (isKnown && above == above_) return;
     above_ = std::move(above);
+    beginMerges(settings.linkage);
+}
+
+void LiveCandidates::beginMerges(Linkage linkage) {
     std::vector<Eigen::Vector3d> points;
     points.reserve(above_.size());
     for (const std::uint32_t voxel : above_)
         points.push_back(field_->points[voxel]);
-    merges_.emplace(points, settings.linkage);
+    if (linkage == Linkage::Single) {
+        singleMerges_.emplace(points, linkage);
+        return;
+    }
+    requireFinite(points);
+    // All voxels are looked through for shared places when it is seen to be worth it: at the second threshold.
+    if (centroidMerges_ && !hasSharedPlaces_) hasSharedPlaces_ = !placesOf(field_->points).merges.empty();
+    if (!centroidMerges_) centroidMerges_.emplace(field_->points);
+    samePlaceMerges_.clear();
+    std::vector<LivingCluster> clusters;
+    if (hasSharedPlaces_.value_or(true)) {
+        Places places = placesOf(points);
+        clusters = std::move(places.clusters);
+        for (LivingCluster& cluster : clusters)
+            cluster.id = above_[cluster.id];
+        for (const Merge& merge : places.merges)
+            samePlaceMerges_.push_back({above_[merge.kept], above_[merge.removed], 0.0});
+    } else {
+        clusters.reserve(points.size());
+        for (std::size_t i = 0; i < points.size(); ++i)
+            clusters.push_back({points[i], above_[i], 1});
+    }
+    centroidMerges_->restart(std::move(clusters));
+}
+
+std::vector<std::uint32_t> LiveCandidates::centroidLabels(double cutoff_m, Progress& progress) {
+    centroidMerges_->advance(cutoff_m, progress);
+    parents_.resize(field_->size());
+    labels_.resize(field_->size());
+    for (const std::uint32_t voxel : above_)
+        parents_[voxel] = voxel;
+    for (const Merge& merge : samePlaceMerges_)
+        parents_[merge.removed] = merge.kept;
+    centroidMerges_->forEachMerge(cutoff_m,
+                                  [&](std::uint32_t kept, std::uint32_t removed) { parents_[removed] = kept; });
+    // A parent is lower than its child, so its label is known before it is needed.
+    std::vector<std::uint32_t> labels;
+    labels.reserve(above_.size());
+    std::uint32_t next = 0;
+    for (const std::uint32_t voxel : above_) {
+        labels_[voxel] = parents_[voxel] == voxel ? next++ : labels_[parents_[voxel]];
+        labels.push_back(labels_[voxel]);
+    }
+    return labels;
+}
+
+std::vector<std::uint32_t> LiveCandidates::labels(const CandidateSettings& settings, Progress& progress) {
+    if (settings.linkage == Linkage::Centroid) return centroidLabels(settings.clusterCutoff_m, progress);
+    return clustersAt(singleMerges_->upTo(settings.clusterCutoff_m, progress), settings.clusterCutoff_m);
 }
 
 std::vector<std::vector<std::uint32_t>> LiveCandidates::clusters(const CandidateSettings& settings,
                                                                  Progress& progress) {
-    const std::vector<std::uint32_t> labels =
-        clustersAt(merges_->upTo(settings.clusterCutoff_m, progress), settings.clusterCutoff_m);
+    const std::vector<std::uint32_t> labels = this->labels(settings, progress);
     std::vector<std::uint32_t> sizes;
     for (const std::uint32_t label : labels) {
         // Labels are numbered by first point, so a new one is always the next.

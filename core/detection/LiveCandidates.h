@@ -8,14 +8,16 @@
 
 #include "core/detection/CandidateMeasures.h"
 #include "core/detection/Candidates.h"
+#include "core/detection/LiveLinkage.h"
 
 namespace fodscope {
 
 /// Candidates of one field while their settings are moved: those of findCandidates(), to the bit, with what is kept
 /// from the moves before. Used from one thread at a time.
 ///
-/// The merges of the last threshold are kept: a lower cutoff takes fewer of them, a greater one goes on from the last;
-/// only another threshold clusters anew. A cluster that was there before keeps its measures.
+/// The merges of the last threshold are kept: a lower cutoff takes fewer of them, a greater one goes on from the last.
+/// For another threshold those merges are gone through again, and only what came of other voxels is merged anew (see
+/// LinkageRound.h; single linkage begins again). A cluster that was there before keeps its measures.
 class LiveCandidates {
   public:
     /// @param T_reference_from_map for the candidates' centroids in the map frame
@@ -29,6 +31,10 @@ class LiveCandidates {
 
   private:
     void threshold(const CandidateSettings& settings);
+    void beginMerges(Linkage linkage);
+    /// @return a label for each voxel above the threshold, numbered by first voxel
+    std::vector<std::uint32_t> labels(const CandidateSettings& settings, Progress& progress);
+    std::vector<std::uint32_t> centroidLabels(double cutoff_m, Progress& progress);
     std::vector<std::vector<std::uint32_t>> clusters(const CandidateSettings& settings, Progress& progress);
     CandidateSet measured(std::vector<std::vector<std::uint32_t>> clusters, const CandidateSettings& settings,
                           Progress& progress) const;
@@ -40,7 +46,14 @@ class LiveCandidates {
     /// What the merges belong to.
     std::optional<CandidateSettings> settings_;
     std::vector<std::uint32_t> above_;
-    std::optional<GrowingMergeSequence> merges_;
+    std::optional<LiveLinkage> centroidMerges_;
+    /// Those of voxels at one place, which go first; once it is known that a field has none they are not looked for.
+    std::vector<Merge> samePlaceMerges_;
+    std::optional<bool> hasSharedPlaces_;
+    std::optional<GrowingMergeSequence> singleMerges_;
+    /// Per voxel of the field, valid for those above the threshold.
+    std::vector<std::uint32_t> parents_;
+    std::vector<std::uint32_t> labels_;
     std::shared_ptr<const CandidateSet> last_;
 };
 

@@ -54,16 +54,21 @@ class PairQueue {
         first_[bin] = entry;
     }
 
-    /// @return whether there was one
-    bool pop(ClusterPair& pair) {
+    /// @return the first, or null when there is none
+    const ClusterPair* top() {
         while (now_.empty()) {
-            if (bin_ + 1 >= first_.size()) return false;
+            if (bin_ + 1 >= first_.size()) return nullptr;
             openNextBin();
         }
+        return &now_.front();
+    }
+
+    /// Takes the first one, which there must be, off.
+    ClusterPair pop() {
         std::pop_heap(now_.begin(), now_.end(), goesAfter());
-        pair = now_.back();
+        const ClusterPair pair = now_.back();
         now_.pop_back();
-        return true;
+        return pair;
     }
 
   private:

@@ -5,6 +5,9 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <string>
+
+#include "core/common/Error.h"
 
 namespace fodscope {
 namespace {
@@ -20,6 +23,17 @@ std::uint64_t hashOf(const Eigen::Vector3d& point) {
 }
 
 }  // namespace
+
+void requireFinite(std::span<const Eigen::Vector3d> points) {
+    if (points.size() > std::numeric_limits<std::uint32_t>::max()) {
+        throw Error("points to cluster", "are more than 4 billion", "raise the threshold");
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (points[i].allFinite()) continue;
+        throw Error("points to cluster", "number " + std::to_string(i) + " has a coordinate that is not finite",
+                    "drop such points first");
+    }
+}
 
 Places placesOf(std::span<const Eigen::Vector3d> points) {
     constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();

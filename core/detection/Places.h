@@ -18,6 +18,9 @@ struct Places {
     std::vector<Merge> merges;
 };
 
+/// @throws Error when a point is not finite
+void requireFinite(std::span<const Eigen::Vector3d> points);
+
 Places placesOf(std::span<const Eigen::Vector3d> points);
 
 }  // namespace fodscope
