@@ -23,10 +23,54 @@ QRectF boxAt(const LabelRequest& request, double ring_px, double direction_deg) 
     return box;
 }
 
-bool isFree(const QRectF& box, const std::vector<QRectF>& taken) {
-    const QRectF grown = box.adjusted(-kGap_px, -kGap_px, kGap_px, kGap_px);
-    return std::none_of(taken.begin(), taken.end(), [&](const QRectF& other) { return grown.intersects(other); });
-}
+/// Boxes by the squares of the area that they reach into, so that a new one is compared with those about it only.
+class TakenBoxes {
+  public:
+    explicit TakenBoxes(const QRectF& area)
+        : corner_(area.topLeft()),
+          columns_(std::max(1, static_cast<int>(std::ceil(area.width() / kSquare_px)))),
+          rows_(std::max(1, static_cast<int>(std::ceil(area.height() / kSquare_px)))),
+          squares_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
+
+    void add(const QRectF& box) {
+        forEachSquare(box, [&](std::vector<QRectF>& boxes) {
+            boxes.push_back(box);
+            return true;
+        });
+    }
+
+    bool isFree(const QRectF& box) {
+        const QRectF grown = box.adjusted(-kGap_px, -kGap_px, kGap_px, kGap_px);
+        return forEachSquare(grown, [&](const std::vector<QRectF>& boxes) {
+            return std::none_of(boxes.begin(), boxes.end(),
+                                [&](const QRectF& other) { return grown.intersects(other); });
+        });
+    }
+
+  private:
+    static constexpr double kSquare_px = 64.0;
+
+    /// @return false as soon as `act` does
+    template <typename Act>
+    bool forEachSquare(const QRectF& box, const Act& act) {
+        const auto square = [](double distance_px, int count) {
+            return std::clamp(static_cast<int>(std::floor(distance_px / kSquare_px)), 0, count - 1);
+        };
+        const int right = square(box.right() - corner_.x(), columns_);
+        const int bottom = square(box.bottom() - corner_.y(), rows_);
+        for (int row = square(box.top() - corner_.y(), rows_); row <= bottom; ++row)
+            for (int column = square(box.left() - corner_.x(), columns_); column <= right; ++column)
+                if (!act(squares_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                                  static_cast<std::size_t>(column)]))
+                    return false;
+        return true;
+    }
+
+    QPointF corner_;
+    int columns_;
+    int rows_;
+    std::vector<std::vector<QRectF>> squares_;
+};
 
 }  // namespace
 
@@ -38,16 +82,18 @@ std::vector<PlacedLabel> placeLabels(std::span<const LabelRequest> requests, con
                      [&](std::size_t a, std::size_t b) { return requests[a].priority > requests[b].priority; });
 
     std::vector<PlacedLabel> labels(requests.size());
-    std::vector<QRectF> taken(blocked.begin(), blocked.end());
+    TakenBoxes taken(area);
+    for (const QRectF& box : blocked)
+        taken.add(box);
     for (const std::size_t index : order) {
         const LabelRequest& request = requests[index];
         if (!area.contains(request.anchor)) continue;
         for (const double ring : kRings_px) {
             for (const double direction : kDirections_deg) {
                 const QRectF box = boxAt(request, ring, direction);
-                if (!area.contains(box) || !isFree(box, taken)) continue;
+                if (!area.contains(box) || !taken.isFree(box)) continue;
                 labels[index] = {box, true};
-                taken.push_back(box);
+                taken.add(box);
                 break;
             }
             if (labels[index].placed) break;

@@ -44,7 +44,10 @@ vtkSmartPointer<vtkCellArray> vertexCell(const std::vector<std::int64_t>& indice
 class PointLayer::Actors {
   public:
     explicit Actors(vtkRenderer* renderer) : renderer_(renderer) {}
-    ~Actors() { clear(); }
+    ~Actors() {
+        for (const auto& entry : entries)
+            renderer_->RemoveActor(entry->actor);
+    }
 
     struct Entry {
         vtkNew<vtkPolyData> data;
@@ -53,12 +56,6 @@ class PointLayer::Actors {
         vtkSmartPointer<vtkCellArray> all;
         vtkSmartPointer<vtkCellArray> part;
     };
-
-    void clear() {
-        for (const auto& entry : entries)
-            renderer_->RemoveActor(entry->actor);
-        entries.clear();
-    }
 
     Entry& add() {
         entries.push_back(std::make_unique<Entry>());
@@ -90,13 +87,25 @@ PointLayer::PointLayer(vtkRenderer* renderer) : actors_(std::make_unique<Actors>
 PointLayer::~PointLayer() = default;
 
 void PointLayer::setPoints(std::span<const Eigen::Vector3d> points) {
+    copyPoints(points);
+    measureSpacing();
+    setOneGroup();
+}
+
+void PointLayer::setPoints(std::span<const Eigen::Vector3d> points, std::span<const QRgb> colours,
+                           std::vector<PointGroup> groups) {
+    copyPoints(points);
+    setColours(colours);
+    setGroups(std::move(groups));
+}
+
+void PointLayer::copyPoints(std::span<const Eigen::Vector3d> points) {
     points_.resize(points.size());
     bounds_ = {};
     for (std::size_t i = 0; i < points.size(); ++i) {
         points_[i] = points[i].cast<float>();
         bounds_.extend(points[i]);
     }
-    spacing_m_ = typicalSpacing(points_);
 
     vtkNew<vtkFloatArray> coordinates;
     coordinates->SetNumberOfComponents(3);
@@ -107,8 +116,6 @@ void PointLayer::setPoints(std::span<const Eigen::Vector3d> points) {
     actors_->points->SetData(coordinates);
     actors_->colours->SetNumberOfTuples(static_cast<vtkIdType>(points_.size()));
     actors_->colours->Fill(160);
-
-    setOneGroup();
 }
 
 void PointLayer::setOneGroup() {
@@ -148,8 +155,8 @@ void PointLayer::setTransform(const Transform& transform) {
 
 void PointLayer::setVisible(bool visible) {
     visible_ = visible;
-    for (const auto& entry : actors_->entries)
-        entry->actor->SetVisibility(visible);
+    for (std::size_t i = 0; i < actors_->entries.size(); ++i)
+        actors_->entries[i]->actor->SetVisibility(visible && i < groups_.size() && !groups_[i].indices.empty());
 }
 
 void PointLayer::setOpacity(double opacity) {
@@ -188,16 +195,19 @@ void PointLayer::setCoarse(bool coarse) {
         entry->data->SetVerts(coarse ? entry->part : entry->all);
 }
 
+/// Actors stay when their groups go: making new ones costs more than drawing nothing with them.
 void PointLayer::rebuild() {
-    actors_->clear();
     const std::size_t stride = points_.size() > kCoarseAbove ? (points_.size() + kCoarsePoints - 1) / kCoarsePoints : 1;
-    for (const PointGroup& group : groups_) {
-        Actors::Entry& entry = actors_->add();
-        entry.all = vertexCell(group.indices, 1);
-        entry.part = stride == 1 ? entry.all : vertexCell(group.indices, stride);
+    while (actors_->entries.size() < groups_.size())
+        actors_->add();
+    for (std::size_t i = 0; i < actors_->entries.size(); ++i) {
+        Actors::Entry& entry = *actors_->entries[i];
+        entry.all = vertexCell(i < groups_.size() ? groups_[i].indices : std::vector<std::int64_t>(), 1);
+        entry.part = stride == 1 || i >= groups_.size() ? entry.all : vertexCell(groups_[i].indices, stride);
         entry.data->SetVerts(coarse_ ? entry.part : entry.all);
-        entry.actor->SetVisibility(visible_);
+        entry.data->Modified();
     }
+    setVisible(visible_);
     setOpacity(opacity_);
     setPointSize(size_px_);
 }

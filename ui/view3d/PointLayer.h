@@ -24,6 +24,9 @@ struct PointGroup {
     double opacity = 1.0;
 };
 
+/// Median distance to the nearest neighbour, from a few points; 0 for fewer than two.
+double typicalSpacing(std::span<const Eigen::Vector3f> points);
+
 /// A cloud as plain vertices, which even a machine without graphics card can draw by the million.
 class PointLayer {
   public:
@@ -34,6 +37,10 @@ class PointLayer {
 
     /// Copies; one group of all points in grey until told otherwise.
     void setPoints(std::span<const Eigen::Vector3d> points);
+    /// The same in one go, for points that change while a slider is dragged. spacing_m() stays as it was.
+    void setPoints(std::span<const Eigen::Vector3d> points, std::span<const QRgb> colours,
+                   std::vector<PointGroup> groups);
+    void measureSpacing() { spacing_m_ = typicalSpacing(points_); }
     /// One for each point.
     void setColours(std::span<const QRgb> colours);
     void setGroups(std::vector<PointGroup> groups);
@@ -55,6 +62,7 @@ class PointLayer {
 
   private:
     class Actors;
+    void copyPoints(std::span<const Eigen::Vector3d> points);
     void rebuild();
 
     std::unique_ptr<Actors> actors_;
@@ -68,8 +76,5 @@ class PointLayer {
     bool coarse_ = false;
     std::optional<double> peel_m_;
 };
-
-/// Median distance to the nearest neighbour, from a few points; 0 for fewer than two.
-double typicalSpacing(std::span<const Eigen::Vector3f> points);
 
 }  // namespace fodscope

@@ -105,6 +105,7 @@ void ViewOverlay::setMessage(const QString& message) {
 }
 
 void ViewOverlay::setToolBarArea(const QRectF& area) {
+    if (toolBar_ == area) return;
     toolBar_ = area;
     place();
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace fodscope {
 namespace {
@@ -33,6 +34,14 @@ PointValues pointValues(std::span<const double> values, const ScalarStyle& style
     return result;
 }
 
+std::vector<std::uint32_t> knownDescending(const std::vector<double>& values) {
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t i = 0; i < values.size(); ++i)
+        if (!std::isnan(values[i])) order.push_back(i);
+    std::ranges::sort(order, std::greater<>(), [&](std::uint32_t i) { return values[i]; });
+    return order;
+}
+
 }  // namespace
 
 ViewScene::ViewScene(vtkRenderer* renderer, vtkRenderer* top)
@@ -40,6 +49,7 @@ ViewScene::ViewScene(vtkRenderer* renderer, vtkRenderer* top)
       reference_(renderer),
       map_(renderer),
       discrepancy_(renderer),
+      discrepant_(renderer),
       candidatePoints_(top),
       mesh_(renderer),
       grid_(renderer, 1.0),
@@ -101,6 +111,7 @@ void ViewScene::setDiscrepancy(std::span<const Eigen::Vector3d> points, std::spa
                                const ScalarStyle& style) {
     discrepancy_.setPoints(points);
     discrepancyValues_ = pointValues(values, style, points.size());
+    byDiscrepancy_ = knownDescending(discrepancyValues_.values);
     colourDiscrepancy();
     buildShapes();
     apply(ViewLayer::Discrepancy);
@@ -108,8 +119,12 @@ void ViewScene::setDiscrepancy(std::span<const Eigen::Vector3d> points, std::spa
 
 void ViewScene::setDiscrepancyThreshold(std::optional<double> threshold) {
     if (discrepancyValues_.style.threshold == threshold) return;
+    const bool isMoved = discrepancyValues_.style.threshold && threshold;
     discrepancyValues_.style.threshold = threshold;
-    colourDiscrepancy();
+    if (isMoved)
+        drawDiscrepant();
+    else
+        colourDiscrepancy();
     apply(ViewLayer::Discrepancy);
 }
 
@@ -202,7 +217,7 @@ void ViewScene::setOpacity(ViewLayer layer, double opacity) {
 
 void ViewScene::setPeelHeight(std::optional<double> height_m) {
     peel_m_ = height_m;
-    for (PointLayer* layer : {&reference_, &map_, &discrepancy_, &candidatePoints_})
+    for (PointLayer* layer : {&reference_, &map_, &discrepancy_, &discrepant_, &candidatePoints_})
         layer->setPeelHeight(height_m);
     mesh_.setPeelHeight(height_m);
 }
@@ -228,13 +243,15 @@ void ViewScene::setPixelsPerMetre(double pixelsPerMetre) {
     reference_.setPointSize(size(reference_, 2.0, 7.0));
     map_.setPointSize(size(map_, 2.0, 6.0));
     discrepancy_.setPointSize(size(discrepancy_, 2.0, 7.0));
+    discrepant_.setPointSize(size(discrepancy_, 2.0, 7.0));
     // Large enough to cover the discrepancy's point in the same place.
     const double covering = discrepancy_.empty() ? 5.0 : kAboveEmphasis * size(discrepancy_, 2.0, 7.0) + 1.0;
-    candidatePoints_.setPointSize(std::max(covering, size(candidatePoints_, 5.0, 12.0)));
+    const PointLayer& spaced = discrepancy_.empty() ? candidatePoints_ : discrepancy_;
+    candidatePoints_.setPointSize(std::max(covering, size(spaced, 5.0, 12.0)));
 }
 
 void ViewScene::setCoarse(bool coarse) {
-    for (PointLayer* layer : {&reference_, &map_, &discrepancy_})
+    for (PointLayer* layer : {&reference_, &map_, &discrepancy_, &discrepant_})
         layer->setCoarse(coarse);
 }
 
@@ -334,6 +351,10 @@ void ViewScene::apply(ViewLayer layer) {
     if (layer == ViewLayer::ReferenceMesh) {
         mesh_.setVisible(wanted.visible);
         mesh_.setOpacity(wanted.opacity);
+    }
+    if (layer == ViewLayer::Discrepancy) {
+        discrepant_.setVisible(wanted.visible);
+        discrepant_.setOpacity(wanted.opacity);
     }
     if (layer == ViewLayer::Candidates) selection_.setVisible(wanted.visible);
 }

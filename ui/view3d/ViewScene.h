@@ -98,6 +98,7 @@ class ViewScene {
     void colourReference();
     void colourMap();
     void colourDiscrepancy();
+    void drawDiscrepant();
     void buildCandidates();
     void markSelection();
     void buildShapes();
@@ -109,7 +110,10 @@ class ViewScene {
 
     PointLayer reference_;
     PointLayer map_;
+    /// With a threshold: all of its points as those that are not above it look. Where they are, the layer after it
+    /// draws the ones above, larger. So a moved threshold changes only those.
     PointLayer discrepancy_;
+    PointLayer discrepant_;
     PointLayer candidatePoints_;
     MeshLayer mesh_;
     ShapeLayer grid_;
@@ -122,6 +126,8 @@ class ViewScene {
     Transform T_reference_from_map_ = Transform::Identity();
     PointValues referenceValues_;
     PointValues discrepancyValues_;
+    /// The points whose discrepancy is known, greatest first.
+    std::vector<std::uint32_t> byDiscrepancy_;
     std::vector<ViewCandidate> candidates_;
     std::vector<std::uint32_t> candidateOfPoint_;
     std::vector<ViewWaypoint> waypoints_;

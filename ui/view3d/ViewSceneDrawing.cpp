@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ui/theme/Colours.h"
 #include "ui/view3d/ScalarColours.h"
@@ -80,9 +81,32 @@ void ViewScene::colourMap() {
 }
 
 void ViewScene::colourDiscrepancy() {
-    if (discrepancy_.empty()) return;
-    discrepancy_.setColours(scalarColours(discrepancyValues_.values, discrepancyValues_.style, theme_));
-    discrepancy_.setGroups(groupsByValue(discrepancyValues_));
+    if (discrepancy_.empty()) {
+        discrepant_.setPoints({}, {}, {});
+        return;
+    }
+    PointValues below = discrepancyValues_;
+    if (below.style.threshold) below.style.threshold = std::numeric_limits<double>::infinity();
+    discrepancy_.setColours(scalarColours(below.values, below.style, theme_));
+    discrepancy_.setGroups(groupsByValue(below));
+    drawDiscrepant();
+}
+
+/// The work grows with the points above the threshold, not with the cloud.
+void ViewScene::drawDiscrepant() {
+    std::vector<Eigen::Vector3d> points;
+    std::vector<double> values;
+    PointGroup group{{}, kAboveEmphasis, 1.0};
+    if (discrepancyValues_.style.threshold) {
+        for (const std::uint32_t index : byDiscrepancy_) {
+            const double value = discrepancyValues_.values[index];
+            if (!(value > *discrepancyValues_.style.threshold)) break;
+            group.indices.push_back(static_cast<std::int64_t>(points.size()));
+            points.push_back(discrepancy_.points()[index].cast<double>());
+            values.push_back(value);
+        }
+    }
+    discrepant_.setPoints(points, scalarColours(values, discrepancyValues_.style, theme_), {std::move(group)});
 }
 
 void ViewScene::buildCandidates() {
@@ -102,9 +126,8 @@ void ViewScene::buildCandidates() {
             candidateOfPoint_.push_back(static_cast<std::uint32_t>(index));
         }
     }
-    candidatePoints_.setPoints(points);
-    candidatePoints_.setColours(colours);
-    candidatePoints_.setGroups({std::move(shown), std::move(faint)});
+    candidatePoints_.setPoints(points, colours, {std::move(shown), std::move(faint)});
+    if (discrepancy_.empty()) candidatePoints_.measureSpacing();
     markSelection();
 }
 

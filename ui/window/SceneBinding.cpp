@@ -4,6 +4,8 @@
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <unordered_map>
 
 #include "core/reference/Covariance.h"
 #include "core/reference/LogDeterminant.h"
@@ -23,10 +25,11 @@ std::vector<Eigen::Vector3d> pointsOf(const DiscrepancyField& field, const Candi
     return points;
 }
 
-StatusKind stateOf(const InspectionController& controller, const std::string& candidateId) {
+std::unordered_map<std::string, StatusKind> statesById(const InspectionController& controller) {
+    std::unordered_map<std::string, StatusKind> states;
     for (const CandidateVerdict& verdict : controller.verdicts())
-        if (verdict.candidateId == candidateId) return candidateState(controller.state(), verdict).kind;
-    return StatusKind::Attention;
+        states[verdict.candidateId] = candidateState(controller.state(), verdict).kind;
+    return states;
 }
 
 ReportField field(const QString& name, const QString& value) {
@@ -39,8 +42,8 @@ void addTraining(const ReferenceMap& reference, std::size_t index, std::vector<R
             field(QObject::tr("Samples"), count(static_cast<std::size_t>(std::max(0, reference.sampleCount[index])))));
     const bool untrained = index < reference.untrained.size() && reference.untrained[index] != 0;
     const double value = untrained ? std::nan("") : logDeterminant(reference.covariance[index]);
-    fields.push_back(field(QObject::tr("Maps vary by"), std::isnan(value) ? QObject::tr("not known: without training")
-                                                                          : spreadText(value)));
+    fields.push_back(field(QObject::tr("Maps vary by"),
+                           std::isnan(value) ? QObject::tr("not known: without training") : spreadText(value)));
     if (!std::isnan(value))
         fields.push_back(
             field(QObject::tr("log det Σ"), QObject::tr("%1 (Σ in m²)").arg(QLocale().toString(value, 'f', 1))));
@@ -226,13 +229,15 @@ void SceneBinding::showCandidates() {
     std::vector<ViewCandidate> candidates;
     if (shown && controller_.state().detection && controller_.state().detection->field) {
         const DiscrepancyField& voxels = *controller_.state().detection->field;
+        const auto states = statesById(controller_);
         for (const Candidate& candidate : shown->candidates) {
             ViewCandidate view;
             view.id = QString::fromStdString(candidate.id);
             view.points = pointsOf(voxels, candidate);
             view.centroid = candidate.centroid_reference;
             view.selected = view.id == controller_.selectedCandidate();
-            view.state = stateOf(controller_, candidate.id);
+            const auto state = states.find(candidate.id);
+            view.state = state == states.end() ? StatusKind::Attention : state->second;
             candidates.push_back(std::move(view));
         }
     }
