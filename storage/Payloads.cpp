@@ -36,6 +36,17 @@ Json keep(Blob blob, std::vector<Blob>& blobs) {
     return named;
 }
 
+/// @return the name of a cloud that is stored already, else the one that `store` gives it
+template <typename Cloud, typename Store>
+Json namedOnce(const std::shared_ptr<const Cloud>& cloud, std::weak_ptr<const Cloud>& stored, std::string& name,
+               const Store& store) {
+    if (stored.lock() == cloud) return Json::parse(name);
+    const Json json = store();
+    stored = cloud;
+    name = text(json);
+    return json;
+}
+
 Json sourceJson(const SourceFile& source) {
     return {{"path", source.path}, {"sha256", source.sha256}, {"points", source.points}};
 }
@@ -180,14 +191,18 @@ ActContent parametersContent(const Parameters& parameters) {
     return {act_kind::kParameters, {}, text({{"yaml", parametersYaml(parameters)}}), {}};
 }
 
-ActContent detectionContent(const DetectionRecord& detection, int highestCandidateNumber) {
+ActContent detectionContent(const DetectionRecord& detection, int highestCandidateNumber, StoredClouds& stored) {
     ActContent content{act_kind::kDetection, {}, {}, {}};
     Json field;
     Json candidates;
     Json coverage;
-    if (detection.field) field = keep(encodeField(*detection.field), content.blobs);
+    if (detection.field)
+        field = namedOnce(detection.field, stored.field, stored.fieldName,
+                          [&] { return keep(encodeField(*detection.field), content.blobs); });
     if (detection.candidates) candidates = candidateSetJson(*detection.candidates, content.blobs);
-    if (detection.coverage) coverage = coverageJson(*detection.coverage, content.blobs);
+    if (detection.coverage)
+        coverage = namedOnce(detection.coverage, stored.coverage, stored.coverageName,
+                             [&] { return coverageJson(*detection.coverage, content.blobs); });
     content.payload = text({{"parameters_yaml", parametersYaml(detection.parameters)},
                             {"registration", registrationJson(detection.registration)},
                             {"floor_height_m", detection.floorHeight_m},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -34,11 +35,21 @@ struct ActContent {
     std::vector<Blob> blobs;
 };
 
+/// What of a detection lies in the file already, and how acts name it there: while candidates are tuned, one detection
+/// after the other rests on the same clouds, which need not be written down and fingerprinted each time.
+struct StoredClouds {
+    std::weak_ptr<const DiscrepancyField> field;
+    std::string fieldName;
+    std::weak_ptr<const Coverage> coverage;
+    std::string coverageName;
+};
+
 ActContent headerContent(const InspectionHeader& header);
 ActContent referenceContent(const SourceFile& source, const ReferenceMap& reference);
 ActContent mapContent(const SourceFile& source);
 ActContent parametersContent(const Parameters& parameters);
-ActContent detectionContent(const DetectionRecord& detection, int highestCandidateNumber);
+/// @param stored what is in the file; afterwards what is there once the act is
+ActContent detectionContent(const DetectionRecord& detection, int highestCandidateNumber, StoredClouds& stored);
 ActContent planContent(const OccupancyGrid& grid_map, const VisitPlan& plan, const std::vector<Visit>& visits);
 ActContent visitContent(const Visit& visit);
 ActContent photoContent(const Photo& photo);

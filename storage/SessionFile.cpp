@@ -38,6 +38,7 @@ struct SessionFile::Database {
     std::int64_t lastSequence = 0;
     std::string headHash = firstPreviousHash();
     std::string inspector;
+    StoredClouds storedClouds;
 
     /// @return the act that would come next
     Act nextAct(const ActContent& content) const {
@@ -185,7 +186,9 @@ void SessionFile::recordParameters(const Parameters& parameters) {
     database_->record(parametersContent(parameters));
 }
 void SessionFile::recordDetection(const DetectionRecord& detection, int highestCandidateNumber) {
-    database_->record(detectionContent(detection, highestCandidateNumber));
+    StoredClouds stored = database_->storedClouds;
+    database_->record(detectionContent(detection, highestCandidateNumber, stored));
+    database_->storedClouds = std::move(stored);
 }
 void SessionFile::recordPlan(const OccupancyGrid& grid_map, const VisitPlan& plan, const std::vector<Visit>& visits) {
     database_->record(planContent(grid_map, plan, visits));

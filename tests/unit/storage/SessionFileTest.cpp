@@ -114,6 +114,30 @@ TEST(SessionFile, EqualCloudsAreKeptOnce) {
     EXPECT_EQ(database.execAndGet("SELECT count(*) FROM blobs WHERE format = 'fodscope.field/1'").getInt(), 1);
 }
 
+TEST(SessionFile, DetectionsOnTheSameCloudsAreKeptAsIfEachHadBroughtThemAlong) {
+    const test::TemporaryFolder folder;
+    const auto shared = SessionFile::create(folder.file("shared.fodscope"), test::sampleHeader());
+    const auto copied = SessionFile::create(folder.file("copied.fodscope"), test::sampleHeader());
+    Inspection sharing(shared->load(), *shared);
+    Inspection copying(copied->load(), *copied);
+    const DetectionResult detection = test::sampleDetection();
+    DetectionResult tested = test::sampleDetection();
+    auto field = std::make_shared<DiscrepancyField>(*tested.field);
+    field->chiSquare.assign(field->size(), 5.0);
+    tested.field = field;
+    for (const DetectionResult* result :
+         std::vector{&detection, &detection, &std::as_const(tested), &std::as_const(tested), &detection}) {
+        sharing.adoptDetection(Parameters(), *result);
+        DetectionResult copy = *result;
+        copy.field = std::make_shared<DiscrepancyField>(*result->field);
+        if (result->coverage) copy.coverage = std::make_shared<Coverage>(*result->coverage);
+        copying.adoptDetection(Parameters(), copy);
+        expectEqual(shared->load(), sharing.state());
+        expectEqual(shared->load(), copied->load());
+    }
+    EXPECT_TRUE(shared->verify().intact);
+}
+
 TEST(SessionFile, TheChainKnowsItsHashes) {
     const test::TemporaryFolder folder;
     const auto session = SessionFile::create(folder.file("a.fodscope"), test::sampleHeader());
