@@ -91,7 +91,7 @@ def refined(cloud, reference, start):
 
 def voxels_of(points, edge_m):
     """Means and counts, which Open3D's own voxel grid does not tell."""
-    lattice = np.floor((points - (points.min(axis=0) - edge_m / 2.0)) / edge_m).astype(np.int64)
+    lattice = np.floor((points - points.min(axis=0)) / edge_m).astype(np.int64)
     size = lattice.max(axis=0) + 1
     keys = (lattice[:, 0] * size[1] + lattice[:, 1]) * size[2] + lattice[:, 2]
     _, voxel, counts = np.unique(keys, return_inverse=True, return_counts=True)
