@@ -34,25 +34,23 @@ void NearestOfGroup::take(std::size_t query, const Neighbour& neighbour) {
 }
 
 void KNearestOfGroups::gather(const QueryGroup& group) {
-    BlockDistances reaches;
-    reaches.fill(guess_m2_);
-    for (KNearest& nearest : nearest_)
-        nearest.start(k_, guess_m2_);
-    meetAll(group, reaches);
-    // Where the guess was too short, once more without one.
-    bool hasAll = true;
-    for (std::size_t i = 0; i < kBlockSize; ++i) {
-        const bool hasEnough = i >= group.count || nearest_[i].hasEnough();
-        reaches[i] = hasEnough ? -1.0 : kAnywhere_m2;
-        if (!hasEnough) nearest_[i].start(k_);
-        hasAll = hasAll && hasEnough;
+    // Looking for those again for which a guess was too short costs less than beginning without one.
+    constexpr double muchLonger = 4.0;
+    std::uint32_t wanted = (1U << group.count) - 1;
+    for (const double reach_m2 : {guess_m2_, std::min(muchLonger * guess_m2_, kAnywhere_m2), kAnywhere_m2}) {
+        BlockDistances reaches;
+        reaches.fill(-1.0);
+        forEachBit(wanted, [&](std::size_t i) {
+            nearest_[i].start(k_, reach_m2);
+            reaches[i] = reach_m2;
+        });
+        meetAll(group, reaches);
+        forEachBit(wanted, [&](std::size_t i) { wanted ^= nearest_[i].hasEnough() ? 1U << i : 0U; });
+        if (wanted == 0) return;
     }
-    if (!hasAll) meetAll(group, reaches);
 }
 
 void KNearestOfGroups::meetAll(const QueryGroup& group, BlockDistances& reaches) {
-    for (std::size_t i = group.count; i < kBlockSize; ++i)
-        reaches[i] = -1.0;
     meetBlocks(tree_, group, reaches, [&](const PointBlock& block, std::uint32_t near) {
         bool isShorter = false;
         forEachBit(near, [&](std::size_t i) {

@@ -51,7 +51,7 @@ class KNearestOfGroups {
     template <class Use>
     void search(const QueryGroup& group, const Use& use) {
         // Not every query's k-th is as far as that of the farthest of the group before.
-        constexpr double longer = 1.2;
+        constexpr double longer = 1.35;
         gather(group);
         double farthest_m2 = 0.0;
         for (std::size_t i = 0; i < group.count; ++i) {
