@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -12,7 +13,6 @@ namespace {
 constexpr std::size_t kLongestLiteral = 32;
 constexpr std::size_t kShortestMatch = 3;
 constexpr std::size_t kLongestMatch = 7 + 255 + 2;
-constexpr std::size_t kFarthestMatch = 1 << 13;
 constexpr unsigned kHashBits = 15;
 
 std::size_t hashOf(std::span<const std::byte> bytes, std::size_t at) {
@@ -47,6 +47,19 @@ void appendMatch(std::vector<std::byte>& output, std::size_t distance, std::size
     output.push_back(static_cast<std::byte>(back & 0xff));
 }
 
+/// A match may overlap what it writes.
+void copyMatch(std::span<std::byte> output, std::size_t at, std::size_t distance, std::size_t length) {
+    constexpr std::size_t word = 8;
+    // Whole words write past the match, into room that is there and filled later.
+    if (distance >= word && length + word <= output.size() - at) {
+        for (std::size_t i = 0; i < length; i += word)
+            std::memcpy(&output[at + i], &output[at + i - distance], word);
+        return;
+    }
+    for (std::size_t i = 0; i < length; ++i)
+        output[at + i] = output[at + i - distance];
+}
+
 }  // namespace
 
 std::vector<std::byte> lzfCompress(std::span<const std::byte> input) {
@@ -59,7 +72,7 @@ std::vector<std::byte> lzfCompress(std::span<const std::byte> input) {
     while (at + kShortestMatch <= input.size()) {
         std::size_t& slot = lastSeen[hashOf(input, at)];
         const std::size_t earlier = std::exchange(slot, at);
-        const bool reachable = earlier != never && at - earlier <= kFarthestMatch;
+        const bool reachable = earlier != never && at - earlier <= kLzfFarthestMatch;
         const std::size_t length = reachable ? matchLength(input, earlier, at) : 0;
         if (length < kShortestMatch) {
             ++at;
@@ -74,33 +87,35 @@ std::vector<std::byte> lzfCompress(std::span<const std::byte> input) {
     return output;
 }
 
-bool lzfDecompress(std::span<const std::byte> input, std::span<std::byte> output) {
-    std::size_t in = 0;
-    std::size_t out = 0;
-    while (in < input.size()) {
+LzfSteps lzfDecode(std::span<const std::byte> input, std::span<std::byte> output, std::size_t written) {
+    LzfSteps steps{0, written};
+    while (steps.read < input.size()) {
+        std::size_t in = steps.read;
         const auto control = std::to_integer<std::size_t>(input[in++]);
         if (control < kLongestLiteral) {
             const std::size_t count = control + 1;
-            if (count > input.size() - in || count > output.size() - out) return false;
-            std::copy_n(input.begin() + static_cast<std::ptrdiff_t>(in), count,
-                        output.begin() + static_cast<std::ptrdiff_t>(out));
-            in += count;
-            out += count;
+            if (count > input.size() - in || count > output.size() - steps.written) break;
+            std::memcpy(&output[steps.written], &input[in], count);
+            steps = {in + count, steps.written + count};
             continue;
         }
         std::size_t length = (control >> 5) + 2;
         if (control >> 5 == 7) {
-            if (in == input.size()) return false;
+            if (in == input.size()) break;
             length += std::to_integer<std::size_t>(input[in++]);
         }
-        if (in == input.size()) return false;
+        if (in == input.size()) break;
         const std::size_t distance = ((control & 31) << 8 | std::to_integer<std::size_t>(input[in++])) + 1;
-        if (distance > out || length > output.size() - out) return false;
-        // Byte by byte: a match may overlap what it writes.
-        for (; length > 0; --length, ++out)
-            output[out] = output[out - distance];
+        if (distance > steps.written || length > output.size() - steps.written) break;
+        copyMatch(output, steps.written, distance, length);
+        steps = {in, steps.written + length};
     }
-    return out == output.size();
+    return steps;
+}
+
+bool lzfDecompress(std::span<const std::byte> input, std::span<std::byte> output) {
+    const LzfSteps steps = lzfDecode(input, output, 0);
+    return steps.read == input.size() && steps.written == output.size();
 }
 
 }  // namespace fodscope

@@ -16,6 +16,20 @@ std::vector<std::byte> lzfCompress(std::span<const std::byte> input);
 /// @return whether the stream was sound and gave exactly that many bytes
 bool lzfDecompress(std::span<const std::byte> input, std::span<std::byte> output);
 
+/// How far a decoding came.
+struct LzfSteps {
+    std::size_t read = 0;
+    std::size_t written = 0;
+};
+
+/// Decodes up to the first instruction that cannot be carried out, because the input ends within it, its bytes find no
+/// room in the output, or it copies from before the output's begin.
+/// @param output holds the bytes before this input up to `written`, as far as kLzfFarthestMatch back
+LzfSteps lzfDecode(std::span<const std::byte> input, std::span<std::byte> output, std::size_t written);
+
+inline constexpr std::size_t kLzfFarthestMatch = 1 << 13;
+inline constexpr std::size_t kLzfLongestInstruction = 33;
+
 /// No LZF stream grows by more than this factor: three bytes copy at most 7 + 255 + 2.
 inline constexpr std::size_t kLzfLargestExpansion = 88;
 

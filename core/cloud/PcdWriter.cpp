@@ -52,6 +52,7 @@ std::string asciiData(const PointCloud& cloud) {
 
 std::string binaryData(const PointCloud& cloud) {
     std::string bytes;
+    bytes.reserve(cloud.size() * (cloud.colours.empty() ? 12 : 16));
     for (std::size_t i = 0; i < cloud.size(); ++i) {
         for (int axis = 0; axis < 3; ++axis)
             appendNumber(bytes, static_cast<float>(cloud.points[i][axis]));
@@ -62,6 +63,7 @@ std::string binaryData(const PointCloud& cloud) {
 
 std::string compressedData(const PointCloud& cloud) {
     std::string fields;
+    fields.reserve(cloud.size() * (cloud.colours.empty() ? 12 : 16));
     for (int axis = 0; axis < 3; ++axis) {
         for (const Eigen::Vector3d& point : cloud.points)
             appendNumber(fields, static_cast<float>(point[axis]));

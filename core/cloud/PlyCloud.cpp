@@ -1,29 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "core/cloud/PlyCloud.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "core/common/Error.h"
+#include "core/cloud/CloudRows.h"
 
 namespace fodscope {
-namespace {
-
-/// Integer colours run to 255, floating ones to 1.
-std::uint8_t colourByte(const PlyColumn& column, std::size_t i) {
-    const double value = column.values[i] * (isFloating(column.type) ? 255.0 : 1.0);
-    return value >= 0.0 ? static_cast<std::uint8_t>(std::lround(std::min(value, 255.0))) : std::uint8_t{0};
+Error noPlyCoordinates(const std::string& subject) {
+    return Error(subject, "has no vertex properties x, y and z", "give a point cloud with coordinates");
 }
-
-}  // namespace
 
 std::vector<Eigen::Vector3d> plyPoints(const PlyContents& contents, const std::string& subject) {
     const PlyColumn* x = contents.column("x");
     const PlyColumn* y = contents.column("y");
     const PlyColumn* z = contents.column("z");
-    if (x == nullptr || y == nullptr || z == nullptr) {
-        throw Error(subject, "has no vertex properties x, y and z", "give a point cloud with coordinates");
-    }
+    if (x == nullptr || y == nullptr || z == nullptr) throw noPlyCoordinates(subject);
     std::vector<Eigen::Vector3d> points(contents.vertexCount);
     for (std::size_t i = 0; i < points.size(); ++i)
         points[i] = {x->values[i], y->values[i], z->values[i]};
@@ -35,25 +24,13 @@ std::vector<Rgb> plyColours(const PlyContents& contents) {
     const PlyColumn* green = contents.column("green");
     const PlyColumn* blue = contents.column("blue");
     if (red == nullptr || green == nullptr || blue == nullptr) return {};
+    const auto byteOf = [](const PlyColumn& column, std::size_t i) {
+        return colourByte(column.values[i], column.type);
+    };
     std::vector<Rgb> colours(contents.vertexCount);
     for (std::size_t i = 0; i < colours.size(); ++i)
-        colours[i] = {colourByte(*red, i), colourByte(*green, i), colourByte(*blue, i)};
+        colours[i] = {byteOf(*red, i), byteOf(*green, i), byteOf(*blue, i)};
     return colours;
-}
-
-PointCloud cloudFromPly(const PlyContents& contents, const std::string& subject) {
-    const std::vector<Eigen::Vector3d> points = plyPoints(contents, subject);
-    const std::vector<Rgb> colours = plyColours(contents);
-    PointCloud cloud;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (!points[i].allFinite()) {
-            ++cloud.droppedNonFinite;
-            continue;
-        }
-        cloud.points.push_back(points[i]);
-        if (!colours.empty()) cloud.colours.push_back(colours[i]);
-    }
-    return cloud;
 }
 
 std::vector<PlyColumn> plyColumns(std::span<const Eigen::Vector3d> points, std::span<const Rgb> colours) {

@@ -50,6 +50,10 @@ void writePly(const std::filesystem::path& file, std::span<const std::string> co
         bytes += "element face " + std::to_string(triangles.size()) + "\nproperty list uchar int vertex_indices\n";
     }
     bytes += "end_header\n";
+    std::size_t rowBytes = 0;
+    for (const PlyColumn& column : columns)
+        rowBytes += sizeOf(column.type);
+    bytes.reserve(bytes.size() + count * rowBytes + triangles.size() * (1 + 3 * sizeof(std::int32_t)));
     for (std::size_t row = 0; row < count; ++row) {
         for (const PlyColumn& column : columns)
             appendScalar(bytes, column.values[row], column.type);

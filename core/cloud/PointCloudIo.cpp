@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/cloud/ByteWindow.h"
 #include "core/cloud/Pcd.h"
 #include "core/cloud/Ply.h"
 #include "core/cloud/PlyCloud.h"
@@ -14,18 +15,19 @@
 namespace fodscope {
 namespace {
 
-PointCloud parseCloud(std::span<const std::byte> bytes, const std::string& subject) {
-    if (bytes.empty()) throw Error(subject, "is empty", "copy or export the file anew");
-    if (isPly(bytes)) return cloudFromPly(parsePly(bytes, subject, PlyFaces::Ignore), subject);
-    if (isPcd(bytes)) return parsePcd(bytes, subject);
+PointCloud readCloud(ByteWindow& window, const std::string& subject) {
+    if (window.remaining() == 0) throw Error(subject, "is empty", "copy or export the file anew");
+    const std::span<const std::byte> start = window.ahead(1 << 16);
+    if (isPly(start)) return readPlyCloud(window, subject);
+    if (isPcd(start)) return readPcd(window, subject);
     throw Error(subject, "is no point cloud (neither PCD nor PLY)", "give a point cloud in one of these formats");
 }
 
 }  // namespace
 
-PointCloud readPointCloud(const std::filesystem::path& file) {
-    const std::vector<std::byte> bytes = readFile(file);
-    PointCloud cloud = parseCloud(bytes, file.string());
+PointCloud readPointCloud(const std::filesystem::path& file, Progress& progress, const std::string& stage) {
+    ByteWindow window(InputFile(file), [&](double fraction) { progress.report(stage, fraction); });
+    PointCloud cloud = readCloud(window, file.string());
     if (cloud.empty()) {
         throw Error(file.string(),
                     cloud.droppedNonFinite == 0 ? "holds no points"
@@ -33,6 +35,11 @@ PointCloud readPointCloud(const std::filesystem::path& file) {
                     "export the cloud anew");
     }
     return cloud;
+}
+
+PointCloud readPointCloud(const std::filesystem::path& file) {
+    Progress progress;
+    return readPointCloud(file, progress);
 }
 
 void writePointCloud(const std::filesystem::path& file, const PointCloud& cloud, PcdEncoding encoding) {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "core/cloud/PointCloud.h"
+#include "core/common/Progress.h"
 
 namespace fodscope {
 
@@ -18,6 +20,11 @@ enum class PcdEncoding { Ascii, Binary, BinaryCompressed };
 /// in
 ///         the header are checked against the file before anything is allocated
 PointCloud readPointCloud(const std::filesystem::path& file);
+
+/// The same with progress.
+/// @throws Cancelled
+PointCloud readPointCloud(const std::filesystem::path& file, Progress& progress,
+                          const std::string& stage = "reading the cloud");
 
 /// Writes by the extension: .pcd (binary_compressed unless told otherwise) or .ply (binary little endian). Coordinates
 /// are stored as float32.

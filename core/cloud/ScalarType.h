@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -41,8 +42,8 @@ inline double asStored(double value, ScalarType type) {
 template <class Number>
 Number loadNumber(const std::byte* bytes, std::endian order = std::endian::little) {
     std::byte copy[sizeof(Number)];
-    for (std::size_t i = 0; i < sizeof(Number); ++i)
-        copy[i] = bytes[order == std::endian::native ? i : sizeof(Number) - 1 - i];
+    std::memcpy(copy, bytes, sizeof(Number));
+    if (order != std::endian::native) std::reverse(copy, copy + sizeof(Number));
     return std::bit_cast<Number>(copy);
 }
 
@@ -78,8 +79,8 @@ template <class Number>
 void appendNumber(std::string& bytes, Number number) {
     char copy[sizeof(Number)];
     std::memcpy(copy, &number, sizeof(Number));
-    for (std::size_t i = 0; i < sizeof(Number); ++i)
-        bytes.push_back(copy[std::endian::native == std::endian::little ? i : sizeof(Number) - 1 - i]);
+    if (std::endian::native != std::endian::little) std::reverse(copy, copy + sizeof(Number));
+    bytes.append(copy, sizeof(Number));
 }
 
 inline void appendScalar(std::string& bytes, double value, ScalarType type) {

@@ -7,8 +7,8 @@
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <system_error>
+#include <utility>
 
 #include "core/common/Error.h"
 
@@ -26,7 +26,7 @@ Error cannotWrite(const std::filesystem::path& file, int errorNumber) {
 
 }  // namespace
 
-std::vector<std::byte> readFile(const std::filesystem::path& file) {
+InputFile::InputFile(const std::filesystem::path& file) : path_(file) {
     std::error_code code;
     const auto status = std::filesystem::status(file, code);
     if (!std::filesystem::exists(status)) {
@@ -35,18 +35,49 @@ std::vector<std::byte> readFile(const std::filesystem::path& file) {
     if (std::filesystem::is_directory(status)) {
         throw Error(file.string(), "is a folder", "give a file");
     }
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) {
+    descriptor_ = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor_ < 0) {
         throw Error(file.string(), "cannot be opened (" + reason(errno) + ")", "check that it may be read");
     }
-    std::vector<std::byte> bytes;
-    std::vector<char> buffer(1 << 20);
-    while (stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || stream.gcount() > 0) {
-        const auto* first = reinterpret_cast<const std::byte*>(buffer.data());
-        bytes.insert(bytes.end(), first, first + stream.gcount());
+    if (std::filesystem::is_regular_file(status)) size_ = std::filesystem::file_size(file, code);
+    if (code) size_ = 0;
+}
+
+InputFile::~InputFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+InputFile::InputFile(InputFile&& other) noexcept
+    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)), size_(other.size_) {}
+
+InputFile& InputFile::operator=(InputFile&& other) noexcept {
+    std::swap(path_, other.path_);
+    std::swap(descriptor_, other.descriptor_);
+    std::swap(size_, other.size_);
+    return *this;
+}
+
+std::size_t InputFile::read(std::span<std::byte> bytes) {
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t count = ::read(descriptor_, bytes.data() + done, bytes.size() - done);
+        if (count == 0) break;
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0)
+            throw Error(path_.string(), "could not be read to its end", "check the disk and copy the file anew");
+        done += static_cast<std::size_t>(count);
     }
-    if (stream.bad())
-        throw Error(file.string(), "could not be read to its end", "check the disk and copy the file anew");
+    return done;
+}
+
+std::vector<std::byte> readFile(const std::filesystem::path& file) {
+    InputFile input(file);
+    std::vector<std::byte> bytes(static_cast<std::size_t>(input.size()));
+    bytes.resize(input.read(bytes));
+    // What is no regular file does not tell its length.
+    std::vector<std::byte> more(1 << 16);
+    while (const std::size_t count = input.read(more))
+        bytes.insert(bytes.end(), more.begin(), more.begin() + static_cast<std::ptrdiff_t>(count));
     return bytes;
 }
 

@@ -25,8 +25,7 @@ std::vector<Eigen::Vector3d> voxelsInMapFrame(const DetectionRecord& detection) 
 }  // namespace
 
 MapFile readMapFile(const std::filesystem::path& file, Progress& progress) {
-    progress.report("reading the map", 0.0);
-    auto cloud = std::make_shared<const PointCloud>(readPointCloud(file));
+    auto cloud = std::make_shared<const PointCloud>(readPointCloud(file, progress, "reading the map"));
     requireUsableCloud(cloud->points, file.filename().string());
     MapFile loaded;
     loaded.source = {file.string(), sha256OfFile(file), cloud->size()};
