@@ -37,7 +37,7 @@ void addDetectionOptions(CLI::App& command, DetectionOptions& options) {
     addDetectionParameterOptions(command, options.parameters);
 }
 
-DetectionRun runDetection(const DetectionOptions& options, Context& context) {
+DetectionRun runDetection(const DetectionOptions& options, Context& context, AfterDetection after) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point begin = Clock::now();
     DetectionRun run;
@@ -48,10 +48,14 @@ DetectionRun runDetection(const DetectionOptions& options, Context& context) {
     context.progress.report("reading the reference", 0.0);
     run.reference = loadReference(options.reference);
     requireCovariance(run, options.reference);
-    context.progress.report("reading the map", 0.0);
-    run.map = loadMap(options.map, context.remarks);
+    run.map = loadMap(options.map, context);
     pipeline.setReference(run.reference.reference);
-    pipeline.setMap(run.map.cloud);
+    if (after == AfterDetection::DropMap) {
+        pipeline.giveMap(std::move(*run.map.cloud));
+        run.map.cloud.reset();
+    } else {
+        pipeline.setMap(run.map.cloud);
+    }
     run.loadSeconds = std::chrono::duration<double>(Clock::now() - begin).count();
     run.result = namingFiles({{"map", options.map}, {"reference", options.reference}},
                              [&] { return pipeline.run(run.parameters, context.progress); });

@@ -21,8 +21,12 @@ struct DetectionOptions {
 
 void addDetectionOptions(CLI::App& command, DetectionOptions& options);
 
+/// Whether the map as it was read is needed after the detection, beside the one without outliers.
+enum class AfterDetection { KeepMap, DropMap };
+
 struct DetectionRun {
     LoadedReferenceMap reference;
+    /// Without its cloud when that was dropped.
     LoadedMap map;
     Parameters parameters;
     DetectionResult result;
@@ -31,7 +35,7 @@ struct DetectionRun {
 
 /// Reads the files and detects. There are no candidates when the map's alignment cannot be trusted.
 /// @throws Error naming the file at fault; UsageError; Cancelled
-DetectionRun runDetection(const DetectionOptions& options, Context& context);
+DetectionRun runDetection(const DetectionOptions& options, Context& context, AfterDetection after);
 
 /// @throws Error naming the map when it could not be aligned, or in several ways
 void requireTrustedAlignment(const DetectionRun& run, const std::string& mapFile);

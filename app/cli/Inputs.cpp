@@ -39,12 +39,12 @@ bool isBlank(const std::string& line) {
 
 }  // namespace
 
-LoadedMap loadMap(const std::filesystem::path& file, std::ostream& remarks) {
-    auto cloud = std::make_shared<PointCloud>(readPointCloud(file));
+LoadedMap loadMap(const std::filesystem::path& file, Context& context) {
+    auto cloud = std::make_shared<PointCloud>(readPointCloud(file, context.progress, "reading the map"));
     requireUsableCloud(cloud->points, file.string());
     if (cloud->droppedNonFinite > 0) {
-        remarks << "note: " << file.string() << ": " << cloud->droppedNonFinite
-                << " points without finite coordinates were left out\n";
+        context.remarks << "note: " << file.string() << ": " << cloud->droppedNonFinite
+                        << " points without finite coordinates were left out\n";
     }
     const SourceFile source = sourceOf(file, cloud->size());
     return {source, std::move(cloud)};

@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "app/cli/Context.h"
 #include "core/cloud/PointCloud.h"
 #include "core/common/Geometry.h"
 #include "core/inspection/InspectionState.h"
@@ -18,7 +18,7 @@ namespace fodscope::cli {
 
 struct LoadedMap {
     SourceFile source;
-    std::shared_ptr<const PointCloud> cloud;
+    std::shared_ptr<PointCloud> cloud;
 };
 
 struct LoadedReferenceMap {
@@ -26,9 +26,9 @@ struct LoadedReferenceMap {
     std::shared_ptr<const ReferenceMap> reference;
 };
 
-/// @param remarks told when points were dropped because they were not finite
-/// @throws Error naming the file
-LoadedMap loadMap(const std::filesystem::path& file, std::ostream& remarks);
+/// The remarks tell when points were dropped because they were not finite.
+/// @throws Error naming the file; Cancelled
+LoadedMap loadMap(const std::filesystem::path& file, Context& context);
 LoadedReferenceMap loadReference(const std::filesystem::path& file);
 
 /// Four bare rows of four numbers, divided by commas or blanks.

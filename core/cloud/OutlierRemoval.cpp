@@ -82,4 +82,14 @@ PointCloud select(const PointCloud& cloud, std::span<const std::uint32_t> indice
     return selected;
 }
 
+void keepOnly(PointCloud& cloud, std::span<const std::uint32_t> indices) {
+    const bool hasColours = !cloud.colours.empty();
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        cloud.points[i] = cloud.points[indices[i]];
+        if (hasColours) cloud.colours[i] = cloud.colours[indices[i]];
+    }
+    cloud.points.resize(indices.size());
+    if (hasColours) cloud.colours.resize(indices.size());
+}
+
 }  // namespace fodscope

@@ -32,4 +32,7 @@ std::vector<std::uint32_t> keptByOutlierRemoval(std::span<const Eigen::Vector3d>
 /// @return the points (and colours) at the indices
 PointCloud select(const PointCloud& cloud, std::span<const std::uint32_t> indices);
 
+/// Leaves the cloud only the points (and colours) at the ascending indices, without a second cloud in memory.
+void keepOnly(PointCloud& cloud, std::span<const std::uint32_t> indices);
+
 }  // namespace fodscope

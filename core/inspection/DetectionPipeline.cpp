@@ -52,10 +52,17 @@ void DetectionPipeline::setReference(std::shared_ptr<const ReferenceMap> referen
 
 void DetectionPipeline::setMap(std::shared_ptr<const PointCloud> map) {
     map_ = std::move(map);
+    givenMap_.reset();
     inputsAreFinite_ = false;
     kept_.denoiseSettings.reset();
     kept_.registrationSettings.reset();
     forgetDiscrepancy();
+}
+
+void DetectionPipeline::giveMap(PointCloud map) {
+    auto given = std::make_shared<PointCloud>(std::move(map));
+    setMap(given);
+    givenMap_ = std::move(given);
 }
 
 void DetectionPipeline::setGivenTransform(std::optional<Transform> T_reference_from_map) {
@@ -89,12 +96,19 @@ void DetectionPipeline::denoise(const OutlierRemovalSettings& settings, Seconds&
     std::shared_ptr<const PointCloud> denoised = map_;
     if (settings.enabled) {
         const auto indices = keptByOutlierRemoval(map_->points, settings, progress);
-        denoised = std::make_shared<PointCloud>(select(*map_, indices));
+        if (indices.empty()) {
+            throw Error("map", "has no points left after outlier removal",
+                        "check that the file holds a whole map, or switch the outlier removal off");
+        }
+        if (givenMap_) {
+            keepOnly(*givenMap_, indices);
+            map_.reset();
+        } else if (indices.size() < map_->size()) {
+            denoised = std::make_shared<PointCloud>(select(*map_, indices));
+        }
     }
-    if (denoised->empty()) {
-        throw Error("map", "has no points left after outlier removal",
-                    "check that the file holds a whole map, or switch the outlier removal off");
-    }
+    // It is the result's too from now on, and results never change.
+    givenMap_.reset();
     kept_.denoised = std::move(denoised);
     kept_.denoiseSettings = settings;
     kept_.registrationSettings.reset();
@@ -160,7 +174,8 @@ const DetectionResult& DetectionPipeline::run(const Parameters& parameters, Prog
     if (!reference_ || reference_->points.empty()) {
         throw Error("reference", "is missing", "choose a reference map first");
     }
-    if (!map_ || map_->empty()) throw Error("map", "is missing", "choose a map first");
+    const bool isGivenAndDenoised = !map_ && kept_.denoiseSettings == parameters.denoise;
+    if (!isGivenAndDenoised && (!map_ || map_->empty())) throw Error("map", "is missing", "choose a map first");
     if (parameters.candidates.metric == Metric::Mahalanobis && !reference_->hasCovariance()) {
         throw Error("reference", "has no covariances, which the Mahalanobis metric needs",
                     "use the Euclidean metric, or a reference made from nominal maps");

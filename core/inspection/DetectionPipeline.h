@@ -37,6 +37,9 @@ class DetectionPipeline {
   public:
     void setReference(std::shared_ptr<const ReferenceMap> reference);
     void setMap(std::shared_ptr<const PointCloud> map);
+    /// A map that nobody else needs. Its outliers are removed from it in place, so that memory holds it once and not
+    /// twice; a run with other settings of the outlier removal then needs the map anew.
+    void giveMap(PointCloud map);
     /// A transform given by the user replaces the registration; empty goes back to registering.
     void setGivenTransform(std::optional<Transform> T_reference_from_map);
 
@@ -85,6 +88,8 @@ class DetectionPipeline {
 
     std::shared_ptr<const ReferenceMap> reference_;
     std::shared_ptr<const PointCloud> map_;
+    /// The same one when it was given, until it was denoised.
+    std::shared_ptr<PointCloud> givenMap_;
     /// Looked through once, not for every moved threshold.
     bool inputsAreFinite_ = false;
     std::optional<Transform> givenTransform_;

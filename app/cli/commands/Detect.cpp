@@ -78,7 +78,7 @@ void writePoses(const DetectionRun& run, const DetectionRecord& record, const st
 
 void execute(const Options& options, Context& context) {
     const OutputFolder folder(options.out);
-    const DetectionRun run = runDetection(options.detection, context);
+    const DetectionRun run = runDetection(options.detection, context, AfterDetection::DropMap);
     const DetectionRecord record = recordOf(run);
     if (record.registration.quality == RegistrationQuality::Ambiguous) writePoses(run, record, folder.path(), context);
     requireTrustedAlignment(run, options.detection.map);

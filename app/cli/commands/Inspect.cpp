@@ -88,7 +88,7 @@ void execute(const Options& options, Context& context) {
     const std::filesystem::path usualLabels = resourceFolder() / "labels" / "default.yaml";
     const LabelSet labelSet =
         readLabelSet(options.labelSet.empty() ? usualLabels : std::filesystem::path(options.labelSet));
-    const DetectionRun run = runDetection(options.detection, context);
+    const DetectionRun run = runDetection(options.detection, context, AfterDetection::KeepMap);
     requireTrustedAlignment(run, options.detection.map);
     const OccupancyGrid grid_map = gridFor(options, run);
     const AutomaticLabeller labeller = labellerFor(options, world, labelSet, *run.result.candidates);

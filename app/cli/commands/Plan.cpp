@@ -25,11 +25,10 @@ struct Options {
 OccupancyGrid gridFor(const Options& options, const CandidatesFile& candidates, const Parameters& parameters,
                       Context& context) {
     if (!options.grid.empty()) return readMapServerGrid(options.grid);
-    const LoadedMap map = loadMap(options.map, context.remarks);
-    const PointCloud denoised =
-        select(*map.cloud, keptByOutlierRemoval(map.cloud->points, parameters.denoise, context.progress));
+    const LoadedMap map = loadMap(options.map, context);
+    keepOnly(*map.cloud, keptByOutlierRemoval(map.cloud->points, parameters.denoise, context.progress));
     return namingFiles({{"map", options.map}}, [&] {
-        return occupancyFromMap(denoised.points, candidates.T_reference_from_map, *candidates.floorHeight_m,
+        return occupancyFromMap(map.cloud->points, candidates.T_reference_from_map, *candidates.floorHeight_m,
                                 parameters.occupancy);
     });
 }

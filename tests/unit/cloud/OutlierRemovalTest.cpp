@@ -96,5 +96,15 @@ TEST(Select, TakesPointsWithTheirColours) {
     EXPECT_EQ(selected.colours, (std::vector<Rgb>{{7, 8, 9}, {1, 2, 3}}));
 }
 
+TEST(KeepOnly, LeavesPointsWithTheirColours) {
+    PointCloud cloud;
+    cloud.points = randomPoints(4, 15);
+    cloud.colours = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {0, 0, 0}};
+    const PointCloud selected = select(cloud, std::vector<std::uint32_t>{0, 2, 3});
+    keepOnly(cloud, std::vector<std::uint32_t>{0, 2, 3});
+    EXPECT_EQ(cloud.points, selected.points);
+    EXPECT_EQ(cloud.colours, selected.colours);
+}
+
 }  // namespace
 }  // namespace fodscope

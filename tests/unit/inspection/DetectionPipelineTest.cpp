@@ -270,6 +270,36 @@ TEST(DetectionPipeline, SettingsOutOfRangeAreListedAtOnceBeforeAnythingRuns) {
     }
 }
 
+TEST(DetectionPipeline, AGivenMapGivesTheSameAndIsNeededAnewForOtherOutlierRemoval) {
+    Progress progress;
+    DetectionPipeline pipeline = readyPipeline();
+    const DetectionResult expected = pipeline.run(paper(), progress);
+    pipeline = readyPipeline();
+    pipeline.giveMap(*mapWithObjects());
+    const DetectionResult result = pipeline.run(paper(), progress);
+    EXPECT_EQ(result.denoisedMap->points, expected.denoisedMap->points);
+    EXPECT_EQ(result.denoisedMap->colours, expected.denoisedMap->colours);
+    expectSame(*result.candidates, *expected.candidates);
+    Parameters parameters = paper();
+    parameters.discrepancy.smoothing.neighbours = 10;
+    EXPECT_NE(pipeline.run(parameters, progress).field, result.field);
+    parameters.denoise.neighbours = 20;
+    EXPECT_THROW(pipeline.run(parameters, progress), Error);
+    pipeline.giveMap(*mapWithObjects());
+    EXPECT_NO_THROW(pipeline.run(parameters, progress));
+}
+
+TEST(DetectionPipeline, AResultKeepsAGivenMapWhoseOutliersStayed) {
+    Progress progress;
+    DetectionPipeline pipeline = readyPipeline();
+    pipeline.giveMap(*mapWithObjects());
+    Parameters parameters = paper();
+    parameters.denoise.enabled = false;
+    const DetectionResult whole = pipeline.run(parameters, progress);
+    EXPECT_LT(pipeline.run(paper(), progress).denoisedMap->size(), whole.denoisedMap->size());
+    EXPECT_EQ(whole.denoisedMap->points, mapWithObjects()->points);
+}
+
 TEST(DetectionPipeline, MapsAndReferencesThatAreNotFiniteAreErrors) {
     Progress progress;
     auto map = std::make_shared<PointCloud>(*mapWithObjects());
