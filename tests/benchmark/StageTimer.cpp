@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Times one stage on points from a file, so that the same file can be given to a peer: see versus_peers.py. The file is
-// read before the clock starts. Prints one line of JSON: seconds of each round, peak memory of the process and what the
-// stage adds to the memory held before it, and a figure of the result that the peer's must agree with.
+// read before the clock starts, unless that is the work (read, detect). Prints one line of JSON: seconds of each round,
+// peak memory of the process and what the stage adds to the memory held before it, and a figure of the result that the
+// peer's must agree with.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -21,11 +21,17 @@
 #include "core/detection/HierarchicalClustering.h"
 #include "core/detection/LiveCandidates.h"
 #include "tests/benchmark/DragPath.h"
+#include "tests/benchmark/FileStages.h"
+#include "tests/benchmark/ProcessMemory.h"
 
 namespace fodscope {
 namespace {
 
 struct Input {
+    std::string cloudFile;
+    std::string referenceFile;
+    /// For detect: the cloud lies where it belongs in the reference.
+    bool isAligned = false;
     std::vector<Eigen::Vector3d> cloud;
     std::vector<Eigen::Vector3d> reference;
     double length_m = 0.0;
@@ -78,33 +84,29 @@ double clusterCount(const Input& input) {
     return 1.0 + *std::ranges::max_element(labels);
 }
 
+double readInput(const Input& input) {
+    return readPoints(input.cloudFile);
+}
+
+double detectInput(const Input& input) {
+    if (input.referenceFile.empty()) throw Error("--reference", "is needed for this stage", "give a reference map");
+    return discrepantVoxels(input.cloudFile, input.referenceFile, input.isAligned);
+}
+
+/// Their work begins with the file.
+bool readsItself(const std::string& stage) {
+    return stage == "read" || stage == "detect";
+}
+
 const std::map<std::string, std::function<double(const Input&)>>& stages() {
-    static const std::map<std::string, std::function<double(const Input&)>> all{{"nearest", meanNearestDistance},
-                                                                                {"outliers", keptPoints},
-                                                                                {"voxels", voxelCount},
-                                                                                {"smoothing", smoothedSum},
-                                                                                {"clusters", clusterCount}};
+    static const std::map<std::string, std::function<double(const Input&)>> all{
+        {"nearest", meanNearestDistance}, {"outliers", keptPoints}, {"voxels", voxelCount}, {"smoothing", smoothedSum},
+        {"clusters", clusterCount},       {"read", readInput},      {"detect", detectInput}};
     return all;
 }
 
 double secondsSince(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
-/// @return a line of the kernel's account of this process, bytes. Not getrusage(): what it calls the peak counts from
-///         the process that started this one.
-std::size_t memory(const std::string& line) {
-    std::ifstream status("/proc/self/status");
-    std::string word;
-    std::size_t kilobytes = 0;
-    while (status >> word)
-        if (word == line && status >> kilobytes) return 1024 * kilobytes;
-    return 0;
-}
-
-/// From here on the peak counts from what is held now.
-void forgetPeak() {
-    std::ofstream("/proc/self/clear_refs") << "5";
 }
 
 /// Drags threshold and cutoff over discrepancies drawn on the cloud.
@@ -130,17 +132,17 @@ nlohmann::json draggedThreshold(const Input& input, int rounds) {
 }
 
 nlohmann::json timed(const std::string& stage, const Input& input, int rounds) {
-    const std::size_t readingPeak = memory("VmHWM:");
-    forgetPeak();
-    const std::size_t before = memory("VmRSS:");
-    nlohmann::json result{{"stage", stage}, {"points", input.cloud.size()}};
+    const std::size_t readingPeak = peakMemory();
+    const std::size_t before = restartPeakMemory();
+    nlohmann::json result{{"stage", stage}};
+    if (!readsItself(stage)) result["points"] = input.cloud.size();
     for (int round = 0; round < rounds; ++round) {
         const auto begin = std::chrono::steady_clock::now();
         result["result"] = stages().at(stage)(input);
         result["seconds"].push_back(secondsSince(begin));
     }
-    result["peak_memory_bytes"] = std::max(readingPeak, memory("VmHWM:"));
-    result["stage_memory_bytes"] = memory("VmHWM:") - before;
+    result["peak_memory_bytes"] = std::max(readingPeak, peakMemory());
+    result["stage_memory_bytes"] = peakMemory() - before;
     return result;
 }
 
@@ -150,8 +152,6 @@ nlohmann::json timed(const std::string& stage, const Input& input, int rounds) {
 int main(int argc, char** argv) {
     CLI::App app("Times one stage of Fodscope's core");
     std::string stage;
-    std::string cloud;
-    std::string reference;
     int rounds = 1;
     fodscope::Input input;
     std::vector<std::string> names;
@@ -159,8 +159,9 @@ int main(int argc, char** argv) {
         names.push_back(name);
     names.push_back("threshold-drag");
     app.add_option("stage", stage, "what to time")->required()->check(CLI::IsMember(names));
-    app.add_option("--cloud", cloud, "PCD or PLY")->required()->check(CLI::ExistingFile);
-    app.add_option("--reference", reference, "PCD or PLY; for nearest")->check(CLI::ExistingFile);
+    app.add_option("--cloud", input.cloudFile, "PCD or PLY")->required()->check(CLI::ExistingFile);
+    app.add_option("--reference", input.referenceFile, "PCD or PLY; for nearest and detect")->check(CLI::ExistingFile);
+    app.add_flag("--aligned", input.isAligned, "detect: the cloud is in the reference's frame, do not register it");
     app.add_option("--length", input.length_m, "voxel size or cutoff, metres")->check(CLI::PositiveNumber);
     app.add_option("--rounds", rounds, "how often")->check(CLI::Range(1, 1000));
     app.add_option("--fewest", input.fewestAbove, "threshold-drag: fewest voxels above the threshold")
@@ -168,8 +169,10 @@ int main(int argc, char** argv) {
     app.add_option("--most", input.mostAbove, "threshold-drag: most voxels above it")->check(CLI::PositiveNumber);
     CLI11_PARSE(app, argc, argv);
     try {
-        input.cloud = fodscope::readPointCloud(cloud).points;
-        if (!reference.empty()) input.reference = fodscope::readPointCloud(reference).points;
+        if (!fodscope::readsItself(stage)) {
+            input.cloud = fodscope::readPointCloud(input.cloudFile).points;
+            if (!input.referenceFile.empty()) input.reference = fodscope::readPointCloud(input.referenceFile).points;
+        }
         std::cout << (stage == "threshold-drag" ? fodscope::draggedThreshold(input, rounds)
                                                 : fodscope::timed(stage, input, rounds))
                   << "\n";
