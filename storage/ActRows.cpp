@@ -61,34 +61,54 @@ ActRow waypointRow(std::int64_t act, std::int64_t position, const Json& w) {
              {"drive_m", real(w.at("drive").at("length_m"))}}};
 }
 
-ActRow visitRow(std::int64_t act, std::int64_t position, const Json& v) {
-    return {"visits",
+ActRow routeRow(std::int64_t act, std::int64_t position, const Json& w) {
+    return {"waypoints",
             {{"act", act},
              {"position", position},
-             {"waypoint_id", words(v.at("waypoint"))},
-             {"state", words(v.at("state"))},
-             {"goal_id", words(v.at("goal"))},
-             {"reason", words(v.at("reason"))},
-             {"tries", whole(v.at("tries"))}}};
+             {"id", words(w.at("id"))},
+             {"candidates", std::string("[]")},
+             {"x_map_m", realIn(w.at("pose_map"), "x_m")},
+             {"y_map_m", realIn(w.at("pose_map"), "y_m")},
+             {"yaw_map_rad", realIn(w.at("pose_map"), "yaw_rad")},
+             {"cost", CellValue()},
+             {"status", std::string("ok")},
+             {"drive_m", CellValue()}}};
+}
+
+ActRow visitRow(std::int64_t act, std::int64_t position, const Json& v) {
+    ActRow row{"visits",
+               {{"act", act},
+                {"position", position},
+                {"waypoint_id", words(v.at("waypoint"))},
+                {"state", words(v.at("state"))},
+                {"goal_id", words(v.at("goal"))},
+                {"reason", words(v.at("reason"))},
+                {"tries", whole(v.at("tries"))}}};
+    // Acts of the first version say nothing of these, nor had their files the columns.
+    if (v.contains("detail")) row.columns.emplace_back("detail", words(v.at("detail")));
+    if (v.contains("photo_tries")) row.columns.emplace_back("photo_tries", whole(v.at("photo_tries")));
+    return row;
 }
 
 ActRow photoRow(std::int64_t act, const Json& p) {
     const Json& camera = p.at("camera");
-    return {"photos",
-            {{"act", act},
-             {"id", words(p.at("id"))},
-             {"waypoint_id", words(p.at("waypoint"))},
-             {"candidates", words(p.at("candidates"))},
-             {"taken_utc", words(p.at("taken_utc"))},
-             {"media_type", words(p.at("image").at("format"))},
-             {"width_px", whole(camera.at("width_px"))},
-             {"height_px", whole(camera.at("height_px"))},
-             {"fx_px", real(camera.at("fx_px"))},
-             {"fy_px", real(camera.at("fy_px"))},
-             {"cx_px", real(camera.at("cx_px"))},
-             {"cy_px", real(camera.at("cy_px"))},
-             {"T_map_from_camera", words(p.at("T_map_from_camera"))},
-             {"sha256", words(p.at("image").at("sha256"))}}};
+    ActRow row{"photos",
+               {{"act", act},
+                {"id", words(p.at("id"))},
+                {"waypoint_id", words(p.at("waypoint"))},
+                {"candidates", words(p.at("candidates"))},
+                {"taken_utc", words(p.at("taken_utc"))},
+                {"media_type", words(p.at("image").at("format"))},
+                {"width_px", whole(camera.at("width_px"))},
+                {"height_px", whole(camera.at("height_px"))},
+                {"fx_px", real(camera.at("fx_px"))},
+                {"fy_px", real(camera.at("fy_px"))},
+                {"cx_px", real(camera.at("cx_px"))},
+                {"cy_px", real(camera.at("cy_px"))},
+                {"T_map_from_camera", words(p.at("T_map_from_camera"))},
+                {"sha256", words(p.at("image").at("sha256"))}}};
+    if (p.contains("request")) row.columns.emplace_back("request_id", words(p.at("request")));
+    return row;
 }
 
 ActRow decisionRow(std::int64_t act, const Json& d) {
@@ -135,6 +155,9 @@ std::vector<ActRow> rowsOf(std::int64_t sequence, const std::string& kind, const
         addEach(rows, sequence, payload.at("candidates").at("list"), candidateRow);
     } else if (kind == act_kind::kPlan) {
         addEach(rows, sequence, payload.at("waypoints"), waypointRow);
+        addEach(rows, sequence, payload.at("visits"), visitRow);
+    } else if (kind == act_kind::kRoute) {
+        addEach(rows, sequence, payload.at("poses"), routeRow);
         addEach(rows, sequence, payload.at("visits"), visitRow);
     } else if (kind == act_kind::kVisit) {
         rows.push_back(visitRow(sequence, 0, payload));

@@ -74,6 +74,7 @@ Waypoint waypointFrom(const Json& json) {
     if (!json.at("pose_map").is_null()) waypoint.pose_map = poseFrom(json.at("pose_map"));
     waypoint.cost = numberFrom(json.at("cost"));
     waypoint.status = waypointStatusOf(json.at("status").get<std::string>());
+    waypoint.takesPhoto = json.value("takes_photo", true);
     waypoint.drive = driveFrom(json.at("drive"));
     return waypoint;
 }
@@ -197,13 +198,32 @@ VisitPlan planFrom(const Json& payload) {
     return plan;
 }
 
+InspectionRoute routeFrom(const Json& payload) {
+    InspectionRoute route;
+    route.highestNumber = payload.at("highest_number").get<int>();
+    for (const Json& each : payload.at("poses")) {
+        route.poses.push_back(
+            {each.at("id").get<std::string>(), poseFrom(each.at("pose_map")), each.at("takes_photo").get<bool>()});
+    }
+    return route;
+}
+
 Visit visitFrom(const Json& json) {
     Visit visit;
     visit.waypointId = json.at("waypoint").get<std::string>();
     visit.state = visitStateOf(json.at("state").get<std::string>());
     visit.goalId = json.at("goal").get<std::string>();
-    visit.reason = json.at("reason").get<std::string>();
     visit.tries = json.at("tries").get<int>();
+    const auto reason = json.at("reason").get<std::string>();
+    if (json.contains("detail")) {
+        visit.reason = visitReasonOf(reason);
+        visit.detail = json.at("detail").get<std::string>();
+        visit.photoTries = json.at("photo_tries").get<int>();
+    } else if (!reason.empty()) {
+        // Sessions of the first version knew no closed set of reasons.
+        visit.reason = VisitReason::NotRecorded;
+        visit.detail = reason;
+    }
     return visit;
 }
 
@@ -211,6 +231,7 @@ Photo photoFrom(const Json& payload) {
     Photo photo;
     photo.id = payload.at("id").get<std::string>();
     photo.waypointId = payload.at("waypoint").get<std::string>();
+    photo.requestId = payload.value("request", std::string());
     photo.candidateIds = payload.at("candidates").get<std::vector<std::string>>();
     photo.taken = timeFrom(payload.at("taken_utc").get<std::string>());
     photo.T_map_from_camera = transformFrom(payload.at("T_map_from_camera"));

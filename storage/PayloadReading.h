@@ -30,6 +30,7 @@ CandidateSet candidateSetFrom(const nlohmann::ordered_json& candidates);
 /// Without cells.
 OccupancyGrid gridFrom(const nlohmann::ordered_json& grid);
 VisitPlan planFrom(const nlohmann::ordered_json& payload);
+InspectionRoute routeFrom(const nlohmann::ordered_json& payload);
 Visit visitFrom(const nlohmann::ordered_json& visit);
 /// Without the bytes.
 Photo photoFrom(const nlohmann::ordered_json& payload);

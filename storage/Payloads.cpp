@@ -137,16 +137,19 @@ Json driveJson(const DrivePath& drive) {
 Json waypointJson(const Waypoint& waypoint) {
     Json where;
     if (waypoint.pose_map) where = pose(*waypoint.pose_map);
-    return {{"id", waypoint.id},     {"candidates", waypoint.candidateIds}, {"pose_map", where},
-            {"cost", waypoint.cost}, {"status", wordOf(waypoint.status)},   {"drive", driveJson(waypoint.drive)}};
+    return {{"id", waypoint.id},
+            {"candidates", waypoint.candidateIds},
+            {"pose_map", where},
+            {"cost", waypoint.cost},
+            {"status", wordOf(waypoint.status)},
+            {"takes_photo", waypoint.takesPhoto},
+            {"drive", driveJson(waypoint.drive)}};
 }
 
 Json visitJson(const Visit& visit) {
-    return {{"waypoint", visit.waypointId},
-            {"state", wordOf(visit.state)},
-            {"goal", visit.goalId},
-            {"reason", visit.reason},
-            {"tries", visit.tries}};
+    return {{"waypoint", visit.waypointId},   {"state", wordOf(visit.state)}, {"goal", visit.goalId},
+            {"reason", wordOf(visit.reason)}, {"detail", visit.detail},       {"tries", visit.tries},
+            {"photo_tries", visit.photoTries}};
 }
 
 Json labelJson(const PhotoLabel& label) {
@@ -231,6 +234,19 @@ ActContent planContent(const OccupancyGrid& grid_map, const VisitPlan& plan, con
     return content;
 }
 
+ActContent routeContent(const InspectionRoute& route, const std::vector<Visit>& visits) {
+    Json poses = Json::array();
+    for (const RoutePose& each : route.poses)
+        poses.push_back({{"id", each.id}, {"pose_map", pose(each.pose_map)}, {"takes_photo", each.takesPhoto}});
+    Json visitList = Json::array();
+    for (const Visit& visit : visits)
+        visitList.push_back(visitJson(visit));
+    return {act_kind::kRoute,
+            {},
+            text({{"highest_number", route.highestNumber}, {"poses", poses}, {"visits", visitList}}),
+            {}};
+}
+
 ActContent visitContent(const Visit& visit) {
     return {act_kind::kVisit, {}, text(visitJson(visit)), {}};
 }
@@ -240,6 +256,7 @@ ActContent photoContent(const Photo& photo) {
     const CameraIntrinsics& camera = photo.intrinsics;
     content.payload = text({{"id", photo.id},
                             {"waypoint", photo.waypointId},
+                            {"request", photo.requestId},
                             {"candidates", photo.candidateIds},
                             {"taken_utc", toIso8601(photo.taken)},
                             {"T_map_from_camera", transform(photo.T_map_from_camera)},

@@ -19,6 +19,7 @@ inline constexpr const char* kMap = "map";
 inline constexpr const char* kParameters = "parameters";
 inline constexpr const char* kDetection = "detection";
 inline constexpr const char* kPlan = "plan";
+inline constexpr const char* kRoute = "route";
 inline constexpr const char* kVisit = "visit";
 inline constexpr const char* kPhoto = "photo";
 inline constexpr const char* kLabelSet = "label set";
@@ -51,6 +52,7 @@ ActContent parametersContent(const Parameters& parameters);
 /// @param stored what is in the file; afterwards what is there once the act is
 ActContent detectionContent(const DetectionRecord& detection, int highestCandidateNumber, StoredClouds& stored);
 ActContent planContent(const OccupancyGrid& grid_map, const VisitPlan& plan, const std::vector<Visit>& visits);
+ActContent routeContent(const InspectionRoute& route, const std::vector<Visit>& visits);
 ActContent visitContent(const Visit& visit);
 ActContent photoContent(const Photo& photo);
 ActContent labelSetContent(const LabelSet& labelSet);

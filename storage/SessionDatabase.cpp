@@ -144,6 +144,7 @@ std::unique_ptr<SQLite::Database> openSessionDatabase(const std::filesystem::pat
         checkPages(*database, file);
         makeDurable(*database);
         SQLite::Transaction lock(*database, SQLite::TransactionBehavior::IMMEDIATE);
+        if (number(*database, "PRAGMA user_version") == 1) database->exec(kFromVersion1);
         lock.commit();
         return database;
     } catch (const SQLite::Exception& exception) {

@@ -193,6 +193,9 @@ void SessionFile::recordDetection(const DetectionRecord& detection, int highestC
 void SessionFile::recordPlan(const OccupancyGrid& grid_map, const VisitPlan& plan, const std::vector<Visit>& visits) {
     database_->record(planContent(grid_map, plan, visits));
 }
+void SessionFile::recordRoute(const InspectionRoute& route, const std::vector<Visit>& visits) {
+    database_->record(routeContent(route, visits));
+}
 void SessionFile::recordVisit(const Visit& visit) {
     database_->record(visitContent(visit));
 }

@@ -55,6 +55,7 @@ class SessionFile : public Journal {
     void recordParameters(const Parameters& parameters) override;
     void recordDetection(const DetectionRecord& detection, int highestCandidateNumber) override;
     void recordPlan(const OccupancyGrid& grid_map, const VisitPlan& plan, const std::vector<Visit>& visits) override;
+    void recordRoute(const InspectionRoute& route, const std::vector<Visit>& visits) override;
     void recordVisit(const Visit& visit) override;
     void recordPhoto(const Photo& photo) override;
     void recordLabelSet(const LabelSet& labelSet) override;

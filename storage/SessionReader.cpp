@@ -117,6 +117,11 @@ void replay(InspectionState& state, const std::string& kind, const Json& payload
         applyDetection(state, detectionFrom(payload, blobs), payload.at("highest_candidate_number").get<int>());
     } else if (kind == act_kind::kPlan) {
         replayPlan(state, payload, blobs);
+    } else if (kind == act_kind::kRoute) {
+        std::vector<Visit> visits;
+        for (const Json& visit : payload.at("visits"))
+            visits.push_back(visitFrom(visit));
+        applyRoute(state, routeFrom(payload), visits);
     } else if (kind == act_kind::kVisit) {
         if (!applyVisit(state, visitFrom(payload))) throw std::invalid_argument("the plan has no such waypoint");
     } else if (kind == act_kind::kPhoto) {

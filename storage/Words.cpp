@@ -20,14 +20,40 @@ constexpr Table<WaypointStatus, 5> kStatuses{{{WaypointStatus::Ok, "ok"},
                                               {WaypointStatus::Hidden, "hidden"},
                                               {WaypointStatus::TooCloseToWall, "too close to wall"},
                                               {WaypointStatus::OutsideGrid, "outside grid"}}};
-constexpr Table<VisitState, 8> kVisits{{{VisitState::Draft, "draft"},
+constexpr Table<VisitState, 9> kVisits{{{VisitState::Draft, "draft"},
                                         {VisitState::Sent, "sent"},
                                         {VisitState::Accepted, "accepted"},
                                         {VisitState::Driving, "driving"},
                                         {VisitState::Arrived, "arrived"},
+                                        {VisitState::Photo, "photo"},
                                         {VisitState::Done, "done"},
                                         {VisitState::Failed, "failed"},
                                         {VisitState::Skipped, "skipped"}}};
+constexpr Table<VisitReason, 25> kReasons{{{VisitReason::None, ""},
+                                           {VisitReason::NotAcknowledged, "not acknowledged"},
+                                           {VisitReason::Rejected, "rejected"},
+                                           {VisitReason::Aborted, "aborted"},
+                                           {VisitReason::GoalForgotten, "goal forgotten"},
+                                           {VisitReason::NotDeparted, "not departed"},
+                                           {VisitReason::NotArrived, "not arrived"},
+                                           {VisitReason::ArrivedElsewhere, "arrived elsewhere"},
+                                           {VisitReason::PhotoMissing, "photo missing"},
+                                           {VisitReason::PhotoLate, "photo late"},
+                                           {VisitReason::PhotoCorrupt, "photo corrupt"},
+                                           {VisitReason::PhotoBlank, "photo blank"},
+                                           {VisitReason::PhotoRepeated, "photo repeated"},
+                                           {VisitReason::PhotoOfAnotherPlace, "photo of another place"},
+                                           {VisitReason::PhotoOfAnotherTime, "photo of another time"},
+                                           {VisitReason::LinkLost, "link lost"},
+                                           {VisitReason::Preempted, "preempted"},
+                                           {VisitReason::StoppedAtRobot, "stopped at robot"},
+                                           {VisitReason::StoppedByOperator, "stopped by operator"},
+                                           {VisitReason::NotLocalised, "not localised"},
+                                           {VisitReason::ClockOff, "clock off"},
+                                           {VisitReason::Interrupted, "interrupted"},
+                                           {VisitReason::SkippedByOperator, "skipped by operator"},
+                                           {VisitReason::NoPose, "no pose"},
+                                           {VisitReason::NotRecorded, "not recorded"}}};
 constexpr Table<LabelKind, 3> kKinds{
     {{LabelKind::Fod, "fod"}, {LabelKind::NoFod, "no fod"}, {LabelKind::NotSure, "not sure"}}};
 
@@ -58,6 +84,9 @@ std::string wordOf(WaypointStatus status) {
 std::string wordOf(VisitState state) {
     return word(kVisits, state);
 }
+std::string wordOf(VisitReason reason) {
+    return word(kReasons, reason);
+}
 std::string wordOf(LabelKind kind) {
     return word(kKinds, kind);
 }
@@ -70,6 +99,9 @@ WaypointStatus waypointStatusOf(const std::string& word) {
 }
 VisitState visitStateOf(const std::string& word) {
     return value(kVisits, word);
+}
+VisitReason visitReasonOf(const std::string& word) {
+    return value(kReasons, word);
 }
 LabelKind labelKindOf(const std::string& word) {
     return value(kKinds, word);

@@ -7,7 +7,7 @@
 #include "core/labels/LabelSet.h"
 #include "core/planning/Waypoints.h"
 #include "core/registration/Registration.h"
-#include "core/robot/VisitRunner.h"
+#include "core/robot/Visit.h"
 
 namespace fodscope {
 
@@ -17,6 +17,7 @@ namespace fodscope {
 std::string wordOf(RegistrationQuality quality);
 std::string wordOf(WaypointStatus status);
 std::string wordOf(VisitState state);
+std::string wordOf(VisitReason reason);
 std::string wordOf(LabelKind kind);
 
 // Each throws std::invalid_argument for a word that is none of these.
@@ -24,6 +25,7 @@ std::string wordOf(LabelKind kind);
 RegistrationQuality qualityOf(const std::string& word);
 WaypointStatus waypointStatusOf(const std::string& word);
 VisitState visitStateOf(const std::string& word);
+VisitReason visitReasonOf(const std::string& word);
 LabelKind labelKindOf(const std::string& word);
 
 }  // namespace fodscope

@@ -7,12 +7,12 @@
 -- Frames too: _reference is the frame of the reference map (z up), _map the frame of the map under inspection.
 
 PRAGMA application_id = 0x464F4453; -- "FODS"
-PRAGMA user_version = 1;            -- raised with every change of the schema or of a payload
+PRAGMA user_version = 2;            -- raised with every change of the schema or of a payload
 
 CREATE TABLE acts (
     sequence         INTEGER PRIMARY KEY,   -- 1, 2, 3, … without a gap
-    kind             TEXT NOT NULL,         -- header, reference, map, parameters, detection, plan, visit, photo,
-                                            -- label set, decision, report
+    kind             TEXT NOT NULL,         -- header, reference, map, parameters, detection, route, plan, visit,
+                                            -- photo, label set, decision, report
     payload          TEXT NOT NULL,         -- JSON; names each blob it rests on by its SHA-256
     author           TEXT NOT NULL,         -- the person who acted, or "not recorded"
     time_utc         TEXT NOT NULL,         -- when the act was written
@@ -55,7 +55,8 @@ CREATE TABLE candidates (
     PRIMARY KEY (act, position)
 ) STRICT;
 
--- Waypoints of each plan in visit order. The latest plan counts.
+-- Waypoints of each plan in visit order, "W-01", and poses of each inspection route, "R-01", which is driven before the
+-- map is there. The latest plan and the latest route count.
 CREATE TABLE waypoints (
     act         INTEGER NOT NULL REFERENCES acts(sequence),
     position    INTEGER NOT NULL,
@@ -70,7 +71,16 @@ CREATE TABLE waypoints (
     PRIMARY KEY (act, position)
 ) STRICT;
 
--- States of the visits as they came; the last row of a waypoint counts.
+-- States of the visits as they came; the last row of a waypoint counts, its time is that of the act.
+--
+-- state: draft → sent → accepted → driving → arrived → photo → done, or failed; skipped. Back in draft it is tried again.
+-- reason, empty when all is well:
+--   tried again, then failed: not acknowledged, rejected, aborted, goal forgotten, not departed, not arrived, arrived
+--     elsewhere; photo missing, photo late, photo corrupt, photo blank, photo repeated, photo of another place, photo of
+--     another time;
+--   in draft until a person looks: link lost, preempted, stopped at robot, stopped by operator, not localised, clock off,
+--     interrupted;
+--   skipped: skipped by operator, no pose; in files of the first version a sentence.
 CREATE TABLE visits (
     act         INTEGER NOT NULL REFERENCES acts(sequence),
     position    INTEGER NOT NULL,
@@ -78,7 +88,9 @@ CREATE TABLE visits (
     state       TEXT NOT NULL,
     goal_id     TEXT NOT NULL,
     reason      TEXT NOT NULL,
-    tries       INTEGER NOT NULL,
+    tries       INTEGER NOT NULL,            -- goals sent
+    detail      TEXT NOT NULL DEFAULT '',    -- what the robot said, or what was measured
+    photo_tries INTEGER NOT NULL DEFAULT 0,  -- photos asked for with the latest goal
     PRIMARY KEY (act, position)
 ) STRICT;
 
@@ -96,7 +108,8 @@ CREATE TABLE photos (
     cx_px       REAL,
     cy_px       REAL,
     T_map_from_camera TEXT NOT NULL,    -- JSON list of 16 numbers, row-major; optical frame: z forward, x right, y down
-    sha256      TEXT NOT NULL REFERENCES blobs(sha256)
+    sha256      TEXT NOT NULL REFERENCES blobs(sha256),
+    request_id  TEXT NOT NULL DEFAULT ''    -- the request that it answers, "W-01/1/photo-1": goal and how manieth photo
 ) STRICT;
 
 -- Decisions as they were made; the last one of each labeller on each photo counts.

@@ -12,10 +12,6 @@ constexpr const char* kStage = "photographing the candidates";
 /// Step of the inspection's own clock.
 constexpr double kTick_s = 0.1;
 
-bool isOver(VisitState state) {
-    return state == VisitState::Done || state == VisitState::Failed || state == VisitState::Skipped;
-}
-
 double shareOver(const std::vector<Visit>& visits) {
     const auto over = std::ranges::count_if(visits, [](const Visit& visit) { return isOver(visit.state); });
     return visits.empty() ? 1.0 : static_cast<double>(over) / static_cast<double>(visits.size());

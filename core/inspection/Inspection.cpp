@@ -127,14 +127,43 @@ void Inspection::adoptPlan(const OccupancyGrid& grid_map, const VisitPlan& plan)
     applyPlan(state_, grid_map, plan, visits);
 }
 
+void Inspection::setRoute(InspectionRoute route) {
+    route.highestNumber = state_.route.highestNumber;
+    for (RoutePose& pose : route.poses) {
+        const auto before = std::ranges::find(state_.route.poses, pose.id, &RoutePose::id);
+        const bool isKnown = before != state_.route.poses.end();
+        const Visit* visit = findVisit(state_, pose.id);
+        if (!isKnown || (*before != pose && visit != nullptr && visit->tries > 0)) pose.id.clear();
+    }
+    route = numbered(std::move(route));
+    std::vector<Visit> visits;
+    for (const RoutePose& pose : route.poses) {
+        const auto known = std::ranges::find(state_.routeVisits, pose.id, &Visit::waypointId);
+        Visit visit;
+        visit.waypointId = pose.id;
+        visits.push_back(known == state_.routeVisits.end() ? visit : *known);
+    }
+    if (route == state_.route) return;
+    journal_.recordRoute(route, visits);
+    applyRoute(state_, route, visits);
+}
+
 void Inspection::updateVisit(const Visit& visit) {
-    const auto known = std::ranges::find(state_.visits, visit.waypointId, &Visit::waypointId);
-    if (known == state_.visits.end()) {
+    const Visit* known = findVisit(state_, visit.waypointId);
+    if (known == nullptr) {
         throw Error(visit.waypointId, "the plan has no such waypoint", "plan the visits again");
     }
     if (*known == visit) return;
     journal_.recordVisit(visit);
-    *known = visit;
+    applyVisit(state_, visit);
+}
+
+void Inspection::resumeVisits() {
+    const std::vector<PhotoMark> kept = photoMarks(state_);
+    for (const std::vector<Visit>& visits :
+         {resumedVisits(state_.visits, kept), resumedVisits(state_.routeVisits, kept)})
+        for (const Visit& visit : visits)
+            updateVisit(visit);
 }
 
 const Photo& Inspection::addPhoto(Photo photo) {

@@ -37,7 +37,13 @@ class Inspection {
 
     /// @throws Error when there are no candidates, or visits have begun
     void adoptPlan(const OccupancyGrid& grid_map, const VisitPlan& plan);
+    /// The route to drive before the map is there. A pose keeps its visit with its id; one that was changed after its
+    /// visit began gets another id, so that what was said of one pose is never taken for another.
+    void setRoute(InspectionRoute route);
+    /// Of the plan or the route.
     void updateVisit(const Visit& visit);
+    /// Records how the visits go on that were under way when the program ended, see resumedVisits().
+    void resumeVisits();
     /// Gives the photo its id and fingerprint, and keeps it.
     /// @return the photo as kept
     const Photo& addPhoto(Photo photo);

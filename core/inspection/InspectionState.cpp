@@ -76,15 +76,39 @@ void applyPlan(InspectionState& state, const OccupancyGrid& grid_map, const Visi
     state.visits = visits;
 }
 
+void applyRoute(InspectionState& state, const InspectionRoute& route, const std::vector<Visit>& visits) {
+    state.route = route;
+    state.routeVisits = visits;
+}
+
 bool applyVisit(InspectionState& state, const Visit& visit) {
-    const auto found = std::ranges::find(state.visits, visit.waypointId, &Visit::waypointId);
-    if (found == state.visits.end()) return false;
-    *found = visit;
-    return true;
+    for (std::vector<Visit>* visits : {&state.visits, &state.routeVisits}) {
+        const auto found = std::ranges::find(*visits, visit.waypointId, &Visit::waypointId);
+        if (found == visits->end()) continue;
+        *found = visit;
+        return true;
+    }
+    return false;
 }
 
 bool visitsHaveBegun(const InspectionState& state) {
-    return !state.photos.empty() || std::ranges::any_of(state.visits, hasBegun);
+    return std::ranges::any_of(state.visits, hasBegun) ||
+           std::ranges::any_of(state.photos, [](const Photo& photo) { return !isRoutePose(photo.waypointId); });
+}
+
+const Visit* findVisit(const InspectionState& state, const std::string& waypointId) {
+    for (const std::vector<Visit>* visits : {&state.visits, &state.routeVisits}) {
+        const auto found = std::ranges::find(*visits, waypointId, &Visit::waypointId);
+        if (found != visits->end()) return &*found;
+    }
+    return nullptr;
+}
+
+std::vector<PhotoMark> photoMarks(const InspectionState& state) {
+    std::vector<PhotoMark> marks;
+    for (const Photo& photo : state.photos)
+        marks.push_back({photo.requestId, photo.sha256});
+    return marks;
 }
 
 const Photo* findPhoto(const InspectionState& state, const std::string& photoId) {

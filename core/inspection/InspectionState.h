@@ -10,9 +10,10 @@
 #include "core/inspection/Parameters.h"
 #include "core/labels/Decision.h"
 #include "core/labels/LabelSet.h"
+#include "core/planning/InspectionRoute.h"
 #include "core/planning/Waypoints.h"
 #include "core/robot/Photo.h"
-#include "core/robot/VisitRunner.h"
+#include "core/robot/Visit.h"
 
 namespace fodscope {
 
@@ -73,6 +74,9 @@ struct InspectionState {
     Parameters parameters;
     std::optional<DetectionRecord> detection;
     int highestCandidateNumber = 0;
+    /// Driven before the map is there, and its visits.
+    InspectionRoute route;
+    std::vector<Visit> routeVisits;
     /// The grid that the plan was made on, map frame.
     std::optional<OccupancyGrid> grid_map;
     std::optional<VisitPlan> plan;
@@ -91,15 +95,22 @@ void applyMap(InspectionState& state, const SourceFile& source);
 void applyDetection(InspectionState& state, const DetectionRecord& detection, int highestCandidateNumber);
 void applyPlan(InspectionState& state, const OccupancyGrid& grid_map, const VisitPlan& plan,
                const std::vector<Visit>& visits);
-/// Replaces the visit to the same waypoint.
-/// @return false when the plan has no such waypoint
+void applyRoute(InspectionState& state, const InspectionRoute& route, const std::vector<Visit>& visits);
+/// Replaces the visit to the same waypoint, or to the same pose of the route.
+/// @return false when neither has it
 bool applyVisit(InspectionState& state, const Visit& visit);
 
-/// @return whether a visit has begun or a photo exists: candidate ids may not change from then on
+/// @return whether a visit to a candidate has begun or a photo of one exists: candidate ids may not change from then on
 bool visitsHaveBegun(const InspectionState& state);
 
 /// @return the photo with the id, or null
 const Photo* findPhoto(const InspectionState& state, const std::string& photoId);
+
+/// @return the visit to a waypoint or to a pose of the route, or null
+const Visit* findVisit(const InspectionState& state, const std::string& waypointId);
+
+/// @return what a runner must know of the photos that are kept
+std::vector<PhotoMark> photoMarks(const InspectionState& state);
 
 /// Decisions count for the candidates that they are about, see BoxOwners.h.
 /// @return one verdict for each candidate, in the candidates' order

@@ -17,6 +17,7 @@ class Journal {
     virtual void recordParameters(const Parameters& parameters) = 0;
     virtual void recordDetection(const DetectionRecord& detection, int highestCandidateNumber) = 0;
     virtual void recordPlan(const OccupancyGrid& grid_map, const VisitPlan& plan, const std::vector<Visit>& visits) = 0;
+    virtual void recordRoute(const InspectionRoute& route, const std::vector<Visit>& visits) = 0;
     virtual void recordVisit(const Visit& visit) = 0;
     virtual void recordPhoto(const Photo& photo) = 0;
     virtual void recordLabelSet(const LabelSet& labelSet) = 0;

@@ -328,10 +328,36 @@ void addVisits(std::vector<ParameterField>& table) {
     Section section(
         table, "visits", [](auto& all) -> auto& { return all.visits; });
     section.number(&VisitSettings::acknowledgeTimeout_s, "acknowledge_timeout_s", "s", 0.1, 3600,
-                   "a goal that the robot has not confirmed by then counts as not acknowledged");
-    section.number(&VisitSettings::driveTimeout_s, "drive_timeout_s", "s", 1, 86400, "longest drive to a waypoint");
-    section.number(&VisitSettings::photoTimeout_s, "photo_timeout_s", "s", 0.1, 3600, "longest wait for a photo");
-    section.whole(&VisitSettings::maximumTries, "maximum_tries", 1, 100, "tries of a visit");
+                   "sent to accepted: a goal that the robot has not confirmed by then counts as not acknowledged");
+    section.number(&VisitSettings::departureTimeout_s, "departure_timeout_s", "s", 0.1, 86400,
+                   "accepted to driving: longest wait for the robot to set out");
+    section.number(&VisitSettings::driveTimeout_s, "drive_timeout_s", "s", 1, 86400,
+                   "driving to arrived: longest drive to a waypoint");
+    section.number(&VisitSettings::localiseTimeout_s, "localise_timeout_s", "s", 0.1, 3600,
+                   "arrived to photo: longest wait for the robot to know where it stands");
+    section.number(&VisitSettings::photoTimeout_s, "photo_timeout_s", "s", 0.1, 3600,
+                   "photo to done: longest wait for a photo");
+    section.number(&VisitSettings::linkTimeout_s, "link_timeout_s", "s", 0.1, 86400,
+                   "a link that stays lost this long holds the visits until somebody resumes them");
+    section.number(&VisitSettings::cancelTimeout_s, "cancel_timeout_s", "s", 0.1, 3600,
+                   "a stop that the robot has not obeyed by then is sent again");
+    section.whole(&VisitSettings::maximumTries, "maximum_tries", 1, 100, "drives that a visit tries");
+    section.whole(&VisitSettings::maximumPhotoTries, "maximum_photo_tries", 1, 100,
+                  "photos that are asked for at a waypoint");
+    section.number(&VisitSettings::retryPause_s, "retry_pause_s", "s", 0, 3600,
+                   "pause before a second try; twice as long before each further one");
+    section.number(&VisitSettings::arrivalTolerance_m, "arrival_tolerance_m", "m", 0.01, 100,
+                   "a robot that stands farther from the waypoint has not arrived");
+    section.angle(&VisitSettings::arrivalTolerance_rad, "arrival_tolerance_deg", 0.1, 180,
+                  "a robot that is turned farther from the waypoint's direction has not arrived");
+    section.number(&VisitSettings::maximumPoseAge_s, "maximum_pose_age_s", "s", 0.1, 3600,
+                   "an older pose does not tell where the robot stands");
+    section.number(&VisitSettings::maximumClockOffset_s, "maximum_clock_offset_s", "s", 0.01, 86400,
+                   "the robot's clock may be this far off, and a photo's time from the visit");
+    section.number(&VisitSettings::cameraReach_m, "camera_reach_m", "m", 0.01, 100,
+                   "a photo whose camera was farther from the waypoint is of another place");
+    section.number(&VisitSettings::leastContrast, "least_photo_contrast", "", 0, 255,
+                   "grey levels, of 255, that a photo spans at least; 0 takes black ones too");
 }
 
 std::string shortest(double number) {

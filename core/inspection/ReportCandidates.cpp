@@ -54,7 +54,7 @@ std::string reasonWithoutPhoto(const InspectionState& state, const std::string& 
     }
     const auto visit = std::ranges::find(state.visits, waypoint->id, &Visit::waypointId);
     if (visit == state.visits.end() || visit->state == VisitState::Draft) return "it has not been visited";
-    const std::string why = visit->reason.empty() ? std::string() : ": " + visit->reason;
+    const std::string why = reasonText(*visit).empty() ? std::string() : ": " + reasonText(*visit);
     return "the visit " + waypoint->id + " is " + toString(visit->state) + why;
 }
 

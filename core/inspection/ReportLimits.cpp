@@ -99,10 +99,8 @@ std::vector<std::string> missingForIssue(const InspectionState& state) {
     }
     const std::vector<CandidateVerdict> verdicts = verdictsOf(state);
     addIf(missing, !verdicts.empty() && !state.plan, "The visits to the candidates have not been planned.");
-    const auto waiting = static_cast<std::size_t>(std::ranges::count_if(state.visits, [](const Visit& visit) {
-        return visit.state != VisitState::Done && visit.state != VisitState::Failed &&
-               visit.state != VisitState::Skipped;
-    }));
+    const auto waiting = static_cast<std::size_t>(
+        std::ranges::count_if(state.visits, [](const Visit& visit) { return !isOver(visit.state); }));
     addIf(missing, waiting > 0, counted(waiting, "visit has", "visits have") + " not been made.");
     const std::size_t undecided = countOf(verdicts, Verdict::Undecided);
     addIf(missing, undecided > 0,

@@ -118,7 +118,7 @@ Json visitsJson(const InspectionState& state) {
     for (const Visit& visit : state.visits) {
         list.push_back({{"waypoint", visit.waypointId},
                         {"state", toString(visit.state)},
-                        {"reason", textOrNull(visit.reason)},
+                        {"reason", textOrNull(reasonText(visit))},
                         {"tries", visit.tries}});
     }
     return list;

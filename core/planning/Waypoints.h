@@ -57,6 +57,8 @@ struct Waypoint {
     WaypointStatus status = WaypointStatus::Unreachable;
     /// Drive from the previous waypoint (or the robot), map frame.
     DrivePath drive;
+    /// False: the robot only passes by, as on an inspection route.
+    bool takesPhoto = true;
 };
 
 /// Waypoints in visit order. `length_m` is the drive over all of them along the cost map.

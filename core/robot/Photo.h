@@ -27,6 +27,8 @@ struct Photo {
     /// "P-001", in order of arrival.
     std::string id;
     std::string waypointId;
+    /// The request that it answers, e.g. "W-01/1/photo-1": goal, and the how manieth photo asked for with it.
+    std::string requestId;
     std::vector<std::string> candidateIds;
     UtcTime taken;
     /// Optical frame (z forward, x right, y down; REP 103).

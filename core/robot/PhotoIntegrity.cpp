@@ -2,6 +2,7 @@
 #include "core/robot/PhotoIntegrity.h"
 
 #include <algorithm>
+#include <array>
 #include <opencv2/imgcodecs.hpp>
 #include <string_view>
 
@@ -38,13 +39,33 @@ bool isAbsurdlyLargePng(std::string_view bytes) {
     return bigEndian(16) * bigEndian(20) > kGreatestPixelCount;
 }
 
-bool canBeDecoded(std::span<const std::byte> bytes) {
+/// @return the grey image; empty when it cannot be decoded
+cv::Mat decoded(std::span<const std::byte> bytes) {
     try {
         const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<std::byte*>(bytes.data()));
-        return !cv::imdecode(raw, cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION).empty();
+        return cv::imdecode(raw, cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION);
     } catch (const cv::Exception&) {
-        return false;
+        return {};
     }
+}
+
+/// Between the first and the last hundredth, so that single hot pixels and a printed time count for nothing.
+double contrastOf(const cv::Mat& grey) {
+    std::array<std::size_t, 256> counts{};
+    for (int row = 0; row < grey.rows; ++row) {
+        const auto* pixels = grey.ptr<unsigned char>(row);
+        for (int column = 0; column < grey.cols; ++column)
+            ++counts[pixels[column]];
+    }
+    const std::size_t hundredth = grey.total() / 100;
+    const auto levelOf = [&](std::size_t rank) {
+        std::size_t below = 0;
+        int level = 0;
+        while (level < 255 && (below += counts[static_cast<std::size_t>(level)]) <= rank)
+            ++level;
+        return level;
+    };
+    return levelOf(grey.total() - 1 - hundredth) - levelOf(hundredth);
 }
 
 }  // namespace
@@ -56,8 +77,9 @@ PhotoCheck checkPhoto(std::span<const std::byte> bytes) {
     if (mediaType.empty()) return {"", "it is neither a JPEG nor a PNG image"};
     if (!hasEndMark(text, mediaType)) return {mediaType, "it is cut off"};
     if (mediaType == "image/png" && isAbsurdlyLargePng(text)) return {mediaType, "it has too many pixels"};
-    if (!canBeDecoded(bytes)) return {mediaType, "it cannot be decoded"};
-    return {mediaType, ""};
+    const cv::Mat grey = decoded(bytes);
+    if (grey.empty()) return {mediaType, "it cannot be decoded"};
+    return {mediaType, "", contrastOf(grey)};
 }
 
 }  // namespace fodscope

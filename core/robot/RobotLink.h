@@ -33,6 +33,8 @@ struct RobotState {
     /// The goal under way, if any.
     std::optional<std::string> goalId;
     std::optional<double> distanceLeft_m;
+    /// The robot's clock minus this computer's; empty while it is not known.
+    std::optional<double> clockOffset_s;
 };
 
 /// A drive to one pose. Ids are unique within a session.

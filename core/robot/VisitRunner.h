@@ -7,36 +7,10 @@
 
 #include "core/planning/Waypoints.h"
 #include "core/robot/RobotLink.h"
+#include "core/robot/Visit.h"
+#include "core/robot/VisitChecks.h"
 
 namespace fodscope {
-
-enum class VisitState { Draft, Sent, Accepted, Driving, Arrived, Done, Failed, Skipped };
-
-/// @return the word shown to people and kept in the record, e.g. "driving"
-std::string toString(VisitState state);
-
-/// One drive to a waypoint and its photo.
-struct Visit {
-    std::string waypointId;
-    VisitState state = VisitState::Draft;
-    /// Goal of the latest try; empty before the first.
-    std::string goalId;
-    /// Why it failed or was skipped, in words.
-    std::string reason;
-    int tries = 0;
-
-    bool operator==(const Visit&) const = default;
-};
-
-struct VisitSettings {
-    /// A goal that the robot has not confirmed within this time counts as not acknowledged.
-    double acknowledgeTimeout_s = 3.0;
-    double driveTimeout_s = 120.0;
-    double photoTimeout_s = 10.0;
-    int maximumTries = 2;
-
-    bool operator==(const VisitSettings&) const = default;
-};
 
 enum class RunnerState { Idle, Running, Paused, Finished };
 
@@ -51,18 +25,25 @@ struct VisitProgress {
 };
 
 /// Drives a plan through a RobotLink: next waypoint, wait for acceptance, arrival and photo, then the next. The plan is
-/// never rewritten; resume goes on at the first visit in Draft. Waypoints without a pose are skipped with their reason.
+/// never rewritten; resume goes on at the first visit in Draft, see resumedVisits(). Waypoints without a pose are
+/// skipped with their reason.
 ///
-/// A goal that is not confirmed, aborted or late is sent again, up to the greatest number of tries, and then the visit
-/// has failed and the next begins; photos likewise. When the link is lost, the robot is stopped elsewhere, or somebody
-/// else gives it a goal, the visit goes back to Draft and the runner holds, for a person to look. Whatever the robot
-/// says about goals and photos that are not the ones awaited changes nothing.
+/// Nothing is sent before it is on record: what one advance() decides to send leaves with the next one, so keep what
+/// it returned, photos before visits, before calling it again. Cancels alone leave at once.
+///
+/// A drive that is not confirmed, given up, late, forgotten by the robot or ended elsewhere is sent again after a
+/// pause, up to the greatest number of tries, and then the visit has failed and the next begins; photos likewise. A
+/// link that is lost is waited for, for a while. When it stays lost, the robot is stopped elsewhere, somebody else
+/// gives it a goal, it does not know where it is or its clock is wrong, the visit goes back to Draft and the runner
+/// holds, for a person to look. Whatever the robot says about goals and photos of other visits changes nothing.
 class VisitRunner {
   public:
-    /// @param visits one for each waypoint of the plan, in order; Draft for a new plan. A visit that was under way when
-    ///        it was recorded goes back to Draft
+    /// @param visits one for each waypoint of the plan, in order; Draft for a new plan. Recorded ones go on by the rule
+    ///        of resumedVisits()
+    /// @param kept the photos that are kept already
     /// @throws Error when visits and waypoints do not match, or a setting is out of range
-    VisitRunner(RobotLink& link, VisitPlan plan, std::vector<Visit> visits, VisitSettings settings);
+    VisitRunner(RobotLink& link, VisitPlan plan, std::vector<Visit> visits, VisitSettings settings,
+                std::vector<PhotoMark> kept = {});
 
     void start();  ///< begin, or go on after a pause or stop
     void pause();  ///< let the visit under way end, then hold
@@ -74,27 +55,43 @@ class VisitRunner {
     void retry(const std::string& waypointId);
 
     /// Fetches events and moves on. Call it some ten times a second.
-    VisitProgress advance(double now_s);
+    /// @param now_s monotonic
+    /// @param utc what photos' times are compared with
+    VisitProgress advance(double now_s, UtcTime utc);
+    VisitProgress advance(double now_s) { return advance(now_s, UtcTime::now()); }
 
     RunnerState state() const { return runnerState_; }
     const std::vector<Visit>& visits() const { return visits_; }
     const VisitPlan& plan() const { return plan_; }
+    /// Of the photos that came before and those handed over since.
+    const std::vector<PhotoMark>& photoMarks() const { return kept_; }
 
   private:
     /// The visit under way.
     struct Active {
         std::size_t index = 0;
         int tries = 0;
-        int photoRequests = 0;
-        /// Empty until the robot has arrived.
-        std::string photoRequestId;
+        /// Those of this run: the robot may answer to an earlier one late.
+        std::vector<std::string> goalIds;
+        std::vector<std::string> photoIds;
         /// Since when the next event is awaited.
         double since_s = 0.0;
+        /// Set while it waits for its next try.
+        std::optional<double> pausedUntil_s;
+        /// When the robot's state named the goal last, or somebody else's goal first.
+        std::optional<double> named_s;
+        std::optional<double> stranger_s;
+        std::optional<Pose2> saysItStands_map;
+        UtcTime arrived;
     };
 
     Visit& activeVisit() { return visits_[active_->index]; }
-    bool isAwaited(const std::string& goalId) const { return active_ && visits_[active_->index].goalId == goalId; }
-    void setState(Visit& visit, VisitState state, const std::string& reason = "");
+    const Waypoint& activeWaypoint() const { return plan_.waypoints[active_->index]; }
+    bool isOurs(const std::string& goalId) const;
+    bool isDriveOver() const;
+    bool isLinkDown() const { return linkDownSince_s_.has_value(); }
+    void setState(Visit& visit, VisitState state, VisitReason reason = VisitReason::None,
+                  const std::string& detail = "");
     void say(const std::string& message) { pending_.messages.push_back(message); }
 
     void handle(const RobotStateChanged& event);
@@ -106,29 +103,47 @@ class VisitRunner {
     void handle(MapReceived event) { pending_.otherEvents.emplace_back(std::move(event)); }
     void handle(GridReceived event) { pending_.otherEvents.emplace_back(std::move(event)); }
     void handle(const LinkMessage& event) { say(event.text); }
+    void linkIs(bool up);
+    void noteGoal(const RobotState& state);
 
-    void checkTimeouts();
+    void sendWhatIsDue();
+    void checkLink();
+    void checkActive();
+    void checkDrive(double waited_s);
+    void checkArrival(double waited_s);
+    void arrive(const std::optional<Pose2>& saysItStands_map);
+    std::optional<Pose2> standsAt_map() const;
     void sendCancelAgain();
     void begin();
+    bool mayBegin(Visit& next);
+    bool takeUpAgain(const Visit& next);
     void sendGoal();
     void requestPhoto();
-    void driveFailed(GoalFailure failure, const std::string& message);
-    void photoFailed(PhotoFailure failure, const std::string& message);
-    void holdFor(const std::string& reason);
-    void endVisit(VisitState state, const std::string& reason);
+    void driveFailed(VisitReason reason, const std::string& detail);
+    void photoFailed(VisitReason reason, const std::string& detail);
+    void holdFor(VisitReason reason, const std::string& detail);
+    void endVisit(VisitState state, VisitReason reason = VisitReason::None, const std::string& detail = "");
     void cancelOnRobot();
 
     RobotLink& link_;
     VisitPlan plan_;
     std::vector<Visit> visits_;
     VisitSettings settings_;
+    std::vector<PhotoMark> kept_;
     RunnerState runnerState_ = RunnerState::Idle;
     std::optional<Active> active_;
     /// What the next advance() returns.
     VisitProgress pending_;
+    /// What leaves with the next advance().
+    std::optional<RobotGoal> goalToSend_;
+    std::optional<std::string> photoToAsk_;
     /// Empty until the link has told.
-    std::optional<LinkState> linkState_;
+    std::optional<RobotState> robot_;
+    double robotTold_s_ = 0.0;
+    std::optional<double> linkDownSince_s_;
     double now_s_ = 0.0;
+    UtcTime utc_;
+    std::optional<double> runningSince_s_;
     /// No goal is sent before this time: a cancel may still be on its way and would take the new goal with it.
     double quietUntil_s_ = 0.0;
     /// stop() and skip() know no time: the next advance() counts from its own.
@@ -137,6 +152,7 @@ class VisitRunner {
     std::string stoppedGoalId_;
     bool stoppedGoalIsAlive_ = false;
     double stopSent_s_ = 0.0;
+    int cancelsSent_ = 0;
 };
 
 }  // namespace fodscope

@@ -21,6 +21,7 @@ class MemoryJournal : public Journal {
     void recordParameters(const Parameters&) override { note("parameters"); }
     void recordDetection(const DetectionRecord&, int) override { note("detection"); }
     void recordPlan(const OccupancyGrid&, const VisitPlan&, const std::vector<Visit>&) override { note("plan"); }
+    void recordRoute(const InspectionRoute&, const std::vector<Visit>&) override { note("route"); }
     void recordVisit(const Visit&) override { note("visit"); }
     void recordPhoto(const Photo&) override { note("photo"); }
     void recordLabelSet(const LabelSet&) override { note("label set"); }

@@ -286,9 +286,9 @@ void fillInspection(Inspection& inspection) {
     parameters.waypoints.minimumDistance_m = 0.45;
     inspection.setParameters(parameters);
     inspection.adoptPlan(sampleGrid(), samplePlan());
-    inspection.updateVisit({"W-01", VisitState::Driving, "goal-1", "", 1});
-    inspection.updateVisit({"W-01", VisitState::Done, "goal-1", "", 1});
-    inspection.updateVisit({"W-02", VisitState::Skipped, "", "hidden", 0});
+    inspection.updateVisit({"W-01", VisitState::Driving, "goal-1", {}, "", 1, 0});
+    inspection.updateVisit({"W-01", VisitState::Done, "goal-1", {}, "", 1, 1});
+    inspection.updateVisit({"W-02", VisitState::Skipped, "", VisitReason::NoPose, "hidden", 0, 0});
     inspection.addPhoto(samplePhoto("W-01", "C-002", "first photo"));
     inspection.addPhoto(samplePhoto("W-01", "C-002", std::string("second\0photo", 12)));
     inspection.setLabelSet(sampleLabels());

@@ -191,10 +191,11 @@ std::vector<SampleBlock> blocksOf(int candidates) {
 void visit(InspectionState& state, int candidates) {
     const std::vector<SampleBlock> blocks = blocksOf(candidates);
     for (const Waypoint& waypoint : state.plan->waypoints) {
-        Visit visit{waypoint.id, VisitState::Done, waypoint.id + "/1", {}, 1};
+        Visit visit{waypoint.id, VisitState::Done, waypoint.id + "/1", {}, {}, 1, 1};
         if (!waypoint.pose_map) {
             visit.state = VisitState::Skipped;
-            visit.reason = toString(waypoint.status);
+            visit.reason = VisitReason::NoPose;
+            visit.detail = toString(waypoint.status);
             state.visits.push_back(visit);
             continue;
         }

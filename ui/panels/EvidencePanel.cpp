@@ -45,7 +45,8 @@ std::vector<std::pair<QString, QString>> visitOfCandidate(const InspectionState&
     }
     if (const Visit* visit = visitOf(state, waypoint->id)) {
         fields.emplace_back(QObject::tr("Visit"), stateText(*visit).word);
-        if (!visit->reason.empty()) fields.emplace_back(QObject::tr("Why"), QString::fromStdString(visit->reason));
+        if (const std::string why = reasonText(*visit); !why.empty())
+            fields.emplace_back(QObject::tr("Why"), QString::fromStdString(why));
     }
     return fields;
 }

@@ -107,6 +107,7 @@ StateText stateText(StepState state) {
 StateText stateText(const Visit& visit) {
     switch (visit.state) {
         case VisitState::Draft:
+            if (visit.reason != VisitReason::None) return {StatusKind::Attention, words("to be visited again")};
             return {StatusKind::ToDo, words("to be visited")};
         case VisitState::Sent:
             return {StatusKind::Running, words("sent")};
@@ -115,6 +116,8 @@ StateText stateText(const Visit& visit) {
         case VisitState::Driving:
             return {StatusKind::Running, words("driving")};
         case VisitState::Arrived:
+            return {StatusKind::Running, words("arrived")};
+        case VisitState::Photo:
             return {StatusKind::Running, words("taking the photo")};
         case VisitState::Done:
             return {StatusKind::Clear, words("photographed")};

@@ -20,8 +20,7 @@ constexpr int kTaskShownAfter_ms = 150;
 
 QString activityOf(const InspectionController& controller, const RobotState& robot) {
     for (const Visit& visit : controller.state().visits)
-        if (visit.state == VisitState::Sent || visit.state == VisitState::Accepted ||
-            visit.state == VisitState::Driving || visit.state == VisitState::Arrived)
+        if (isUnderWay(visit.state))
             return QObject::tr("%1 (%2)").arg(stateText(visit).word, QString::fromStdString(visit.waypointId));
     return robot.moving ? QObject::tr("moving") : QObject::tr("standing");
 }

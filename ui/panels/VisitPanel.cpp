@@ -31,19 +31,10 @@ QString poseText(const Pose2& pose) {
              QString::number(degreesFromRadians(pose.yaw_rad), 'f', 0));
 }
 
-bool isUnderWay(const Visit& visit) {
-    return visit.state == VisitState::Sent || visit.state == VisitState::Accepted ||
-           visit.state == VisitState::Driving || visit.state == VisitState::Arrived;
-}
-
-bool isOver(const Visit& visit) {
-    return visit.state == VisitState::Done || visit.state == VisitState::Skipped || visit.state == VisitState::Failed;
-}
-
 StateText runnerText(RunnerState state, const std::vector<Visit>& visits) {
     switch (state) {
         case RunnerState::Idle:
-            if (const auto over = std::ranges::count_if(visits, isOver); over > 0) {
+            if (const auto over = std::ranges::count_if(visits, isOver, &Visit::state); over > 0) {
                 const bool all = over == static_cast<std::ptrdiff_t>(visits.size());
                 return all ? StateText{StatusKind::Clear, QObject::tr("finished")}
                            : StateText{StatusKind::Attention, QObject::tr("interrupted")};
@@ -52,7 +43,7 @@ StateText runnerText(RunnerState state, const std::vector<Visit>& visits) {
         case RunnerState::Running:
             return {StatusKind::Running, QObject::tr("driving")};
         case RunnerState::Paused:
-            if (std::ranges::any_of(visits, isUnderWay))
+            if (std::ranges::any_of(visits, isUnderWay, &Visit::state))
                 return {StatusKind::Running, QObject::tr("pauses after this visit")};
             return {StatusKind::Attention, QObject::tr("paused")};
         case RunnerState::Finished:
@@ -238,7 +229,7 @@ void VisitPanel::refreshVisits() {
     }
     const StateText running = runnerText(controller_.visits().runnerState(), state.visits);
     runner_->setStatus(running.kind, running.word);
-    const auto over = std::ranges::count_if(state.visits, isOver);
+    const auto over = std::ranges::count_if(state.visits, isOver, &Visit::state);
     progress_->setRange(0, std::max<int>(1, static_cast<int>(state.visits.size())));
     progress_->setValue(static_cast<int>(over));
     told_->setText(tr("%1 of %2 visits over, %3")
@@ -264,7 +255,7 @@ void VisitPanel::refreshVisits() {
         item->setText(1, joined(waypoint.candidateIds));
         item->setText(2, text.word);
         item->setForeground(2, statusColour(theme, text.kind));
-        item->setToolTip(2, visit ? QString::fromStdString(visit->reason) : QString());
+        item->setToolTip(2, visit ? QString::fromStdString(reasonText(*visit)) : QString());
         item->setData(
             0, Qt::UserRole,
             waypoint.candidateIds.empty() ? QString() : QString::fromStdString(waypoint.candidateIds.front()));

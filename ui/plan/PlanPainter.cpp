@@ -99,7 +99,8 @@ void paintRoute(QPainter& painter, const PlanScene& scene, const PlanTransform& 
         QPolygonF line;
         for (const Eigen::Vector2d& point : waypoint.drive_map)
             line << transform.toScreen(point);
-        const bool driven = waypoint.state == VisitState::Arrived || waypoint.state == VisitState::Done;
+        const bool driven = waypoint.state == VisitState::Arrived || waypoint.state == VisitState::Photo ||
+                            waypoint.state == VisitState::Done;
         QPen pen(theme.text, driven ? 2.0 : 1.5, driven ? Qt::SolidLine : Qt::DashLine, Qt::RoundCap, Qt::RoundJoin);
         pen.setColor(driven ? mixed(theme.text, theme.clear, 0.6) : theme.muted);
         painter.setPen(pen);

@@ -87,7 +87,7 @@ void updateVisits(PlanScene& scene, const std::vector<Visit>& visits) {
         const auto visit = std::find_if(visits.begin(), visits.end(),
                                         [&](const Visit& each) { return each.waypointId == waypoint.id; });
         waypoint.state = visit == visits.end() ? VisitState::Draft : visit->state;
-        waypoint.reason = visit == visits.end() ? std::string() : visit->reason;
+        waypoint.reason = visit == visits.end() ? std::string() : reasonText(*visit);
     }
 }
 

@@ -51,6 +51,7 @@ StatusKind statusOf(VisitState state) {
         case VisitState::Accepted:
         case VisitState::Driving:
         case VisitState::Arrived:
+        case VisitState::Photo:
             return StatusKind::Running;
         case VisitState::Done:
             return StatusKind::Clear;

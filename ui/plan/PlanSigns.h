@@ -7,7 +7,7 @@
 #include <QString>
 
 #include "core/labels/Decision.h"
-#include "core/robot/VisitRunner.h"
+#include "core/robot/Visit.h"
 #include "ui/theme/Theme.h"
 
 QT_BEGIN_NAMESPACE

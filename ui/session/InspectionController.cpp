@@ -15,16 +15,6 @@ namespace {
 
 constexpr const char* kLabeller = "labelling/labeller";
 
-/// A visit that was under way when the program ended is to be driven again: nobody saw how it ended.
-std::vector<Visit> resumable(std::vector<Visit> visits) {
-    for (Visit& visit : visits) {
-        const bool underWay = visit.state == VisitState::Sent || visit.state == VisitState::Accepted ||
-                              visit.state == VisitState::Driving || visit.state == VisitState::Arrived;
-        if (underWay) visit.state = VisitState::Draft;
-    }
-    return visits;
-}
-
 }  // namespace
 
 InspectionController::InspectionController(QObject* parent)
@@ -130,9 +120,10 @@ void InspectionController::adoptSession(std::shared_ptr<SessionFile> file, Inspe
     closeSession();
     session_ = std::move(file);
     inspection_ = std::make_unique<Inspection>(std::move(state), *session_);
+    attempt([&] { inspection_->resumeVisits(); });
     refreshVerdicts();
     const InspectionState& opened = this->state();
-    if (opened.plan) visits_.setPlan(*opened.plan, resumable(opened.visits), opened.parameters.visits);
+    if (opened.plan) visits_.setPlan(*opened.plan, opened.visits, opened.parameters.visits, photoMarks(opened));
     RecentSessions().add(sessionPath());
     if (opened.detection) start_ = opened.detection->registration.start_T_reference_from_map;
     emit sessionChanged();
@@ -211,7 +202,7 @@ void InspectionController::keepParameters(const Parameters& parameters, const st
     setParameters(parameters);
     if (state().parameters != parameters) return;
     if (state().plan && !sameFor(ParameterUse::Visits, parameters, before))
-        visits_.setPlan(*state().plan, resumable(state().visits), parameters.visits);
+        visits_.setPlan(*state().plan, state().visits, parameters.visits, photoMarks(state()));
     if (state().plan && !sameFor(ParameterUse::Plan, parameters, before))
         emit noticeRaised(tr("The plan was made with the settings before. Plan the visits again."));
     if (!sameFor(ParameterUse::Reference, parameters, before) && state().reference)

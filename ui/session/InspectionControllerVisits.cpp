@@ -65,7 +65,7 @@ void InspectionController::planVisits() {
                const VisitPlan plan = planInspection(input, grid, start, progress);
                return [this, grid, plan] {
                    inspection_->adoptPlan(grid, plan);
-                   visits_.setPlan(plan, state().visits, state().parameters.visits);
+                   visits_.setPlan(plan, state().visits, state().parameters.visits, photoMarks(state()));
                    refreshVerdicts();
                    emit planChanged();
                    emit visitsChanged();

@@ -19,13 +19,13 @@ StepState candidatesState(const InspectionState& state) {
     return state.plan ? StepState::Done : StepState::NeedsLook;
 }
 
-bool isOver(const Visit& visit) {
+bool isSettled(const Visit& visit) {
     return visit.state == VisitState::Done || visit.state == VisitState::Skipped;
 }
 
 StepState visitState(const InspectionState& state) {
     if (!state.plan) return StepState::ToDo;
-    return std::all_of(state.visits.begin(), state.visits.end(), isOver) ? StepState::Done : StepState::NeedsLook;
+    return std::all_of(state.visits.begin(), state.visits.end(), isSettled) ? StepState::Done : StepState::NeedsLook;
 }
 
 StepState labelState(const InspectionState& state) {

@@ -46,8 +46,10 @@ QString VisitDriver::robotName() const {
     return robot_ ? QString::fromStdString(robot_->name()) : QString();
 }
 
-void VisitDriver::setPlan(const VisitPlan& plan, const std::vector<Visit>& visits, const VisitSettings& settings) {
+void VisitDriver::setPlan(const VisitPlan& plan, const std::vector<Visit>& visits, const VisitSettings& settings,
+                          const std::vector<PhotoMark>& kept) {
     plan_ = plan;
+    kept_ = kept;
     visits_ = visits;
     settings_ = settings;
     makeRunner();
@@ -69,7 +71,7 @@ RunnerState VisitDriver::runnerState() const {
 void VisitDriver::makeRunner() {
     if (runner_ && runner_->state() == RunnerState::Running) runner_->stop();
     runner_.reset();
-    if (robot_ && plan_) runner_ = std::make_unique<VisitRunner>(*robot_, *plan_, visits_, settings_);
+    if (robot_ && plan_) runner_ = std::make_unique<VisitRunner>(*robot_, *plan_, visits_, settings_, kept_);
     shownState_ = runnerState();
 }
 
@@ -110,6 +112,7 @@ void VisitDriver::poll() {
     }
     const VisitProgress progress = runner_->advance(clock_());
     visits_ = runner_->visits();
+    kept_ = runner_->photoMarks();
     if (progress.robot) {
         robotState_ = progress.robot;
         emit robotChanged();

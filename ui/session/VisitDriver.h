@@ -32,7 +32,8 @@ class VisitDriver : public QObject {
     const std::optional<RobotState>& robotState() const { return robotState_; }
 
     /// Takes a plan over. Whatever was under way is stopped first.
-    void setPlan(const VisitPlan& plan, const std::vector<Visit>& visits, const VisitSettings& settings);
+    void setPlan(const VisitPlan& plan, const std::vector<Visit>& visits, const VisitSettings& settings,
+                 const std::vector<PhotoMark>& kept);
     void clearPlan();
     bool hasPlan() const { return plan_.has_value(); }
     RunnerState runnerState() const;
@@ -63,6 +64,7 @@ class VisitDriver : public QObject {
     std::optional<VisitPlan> plan_;
     std::vector<Visit> visits_;
     VisitSettings settings_;
+    std::vector<PhotoMark> kept_;
     std::unique_ptr<VisitRunner> runner_;
     RunnerState shownState_ = RunnerState::Idle;
     std::optional<RobotState> robotState_;

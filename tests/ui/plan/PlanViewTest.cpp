@@ -90,7 +90,8 @@ TEST_F(PlanOnScreen, LooksAsDesigned) {
     std::vector<Visit> visits = state.visits;
     ASSERT_GE(visits.size(), 6U);
     visits[2].state = VisitState::Failed;
-    visits[2].reason = "the robot gave up: no path";
+    visits[2].reason = VisitReason::Aborted;
+    visits[2].detail = "no path";
     visits[3].state = VisitState::Driving;
     visits[4].state = visits[5].state = VisitState::Draft;
     view.setVisits(visits);

@@ -100,7 +100,7 @@ TEST_F(Automatic, EveryCandidateIsVisitedPhotographedAndLabelled) {
     const InspectionState& state = inspection.state();
     EXPECT_EQ(state.photos.size(), 2U);
     for (const Visit& visit : state.visits)
-        EXPECT_EQ(visit.state, VisitState::Done) << visit.reason;
+        EXPECT_EQ(visit.state, VisitState::Done) << reasonText(visit);
     const std::vector<CandidateVerdict> verdicts = verdictsOf(state);
     ASSERT_EQ(verdicts.size(), 2U);
     EXPECT_EQ(verdicts[0].verdict, Verdict::Finding);

@@ -62,7 +62,7 @@ TEST(Inspection, NothingChangesWhenTheJournalFails) {
         [&] { inspection.setHeader(test::sampleHeader()); },
         [&] { inspection.setParameters(other); },
         [&] {
-            inspection.updateVisit({"W-01", VisitState::Driving, "g", "", 1});
+            inspection.updateVisit({"W-01", VisitState::Driving, "g", {}, "", 1, 0});
         },
         [&] { inspection.addPhoto(test::samplePhoto("W-01", "C-001", "photo")); },
         [&] {
@@ -130,7 +130,7 @@ TEST(Inspection, CandidatesFreezeWhenTheVisitsBegin) {
     inspection.adoptPlan(test::sampleGrid(), test::samplePlan());
     EXPECT_FALSE(inspection.candidatesAreFrozen());
     inspection.adoptPlan(test::sampleGrid(), test::samplePlan());
-    inspection.updateVisit({"W-01", VisitState::Sent, "goal-1", "", 1});
+    inspection.updateVisit({"W-01", VisitState::Sent, "goal-1", {}, "", 1, 0});
     EXPECT_TRUE(inspection.candidatesAreFrozen());
     const auto acts = journal.acts;
     EXPECT_THROW(inspection.adoptDetection(Parameters(), test::sampleDetection()), Error);
@@ -138,7 +138,7 @@ TEST(Inspection, CandidatesFreezeWhenTheVisitsBegin) {
     EXPECT_THROW(inspection.setMap({"other.pcd", "x", 1}), Error);
     EXPECT_EQ(journal.acts, acts);
     // A visit that is put back to be driven again has begun all the same.
-    inspection.updateVisit({"W-01", VisitState::Draft, "", "", 1});
+    inspection.updateVisit({"W-01", VisitState::Draft, "", {}, "", 1, 0});
     EXPECT_TRUE(inspection.candidatesAreFrozen());
 }
 
@@ -217,7 +217,7 @@ TEST(Inspection, WhatDoesNotChangeIsNoAct) {
     inspection.setParameters(Parameters());
     inspection.setLabelSet(LabelSet());
     EXPECT_TRUE(journal.acts.empty());
-    EXPECT_THROW(inspection.updateVisit({"W-99", VisitState::Sent, "", "", 1}), Error);
+    EXPECT_THROW(inspection.updateVisit({"W-99", VisitState::Sent, "", {}, "", 1, 0}), Error);
 }
 
 TEST(Inspection, NewHeadersHaveIdsOfTheirOwn) {

@@ -180,8 +180,8 @@ TEST(Parameters, TheTableKnowsEveryField) {
         EXPECT_EQ(keysIn("waypoints"), 9U);
     }
     {
-        [[maybe_unused]] const auto& [a, b, c, d] = visits;
-        EXPECT_EQ(keysIn("visits"), 4U);
+        [[maybe_unused]] const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = visits;
+        EXPECT_EQ(keysIn("visits"), 16U);
     }
 }
 

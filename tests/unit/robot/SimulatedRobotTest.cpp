@@ -293,7 +293,7 @@ TEST(SimulatedRobot, aRunnerBringsThePhotoOfEveryCandidate) {
     const VisitPlan plan = planVisits(targets, costMap, costMap, *robot.state.pose_map, {}, progress);
     std::vector<Visit> visits;
     for (const Waypoint& waypoint : plan.waypoints)
-        visits.push_back({waypoint.id, VisitState::Draft, "", "", 0});
+        visits.push_back({waypoint.id, VisitState::Draft, "", {}, "", 0, 0});
     VisitRunner runner(*robot.link, plan, visits, {});
     runner.start();
     std::vector<Photo> photos;
