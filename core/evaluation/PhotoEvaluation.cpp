@@ -22,6 +22,7 @@ class NoJournal : public Journal {
     void recordParameters(const Parameters&) override {}
     void recordDetection(const DetectionRecord&, int) override {}
     void recordPlan(const OccupancyGrid&, const VisitPlan&, const std::vector<Visit>&) override {}
+    void recordRoute(const InspectionRoute&, const std::vector<Visit>&) override {}
     void recordVisit(const Visit&) override {}
     void recordPhoto(const Photo&) override {}
     void recordLabelSet(const LabelSet&) override {}
