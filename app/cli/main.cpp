@@ -20,6 +20,7 @@ void addCommands(CLI::App& program, fodscope::cli::Run& run) {
     addDetectCommand(program, run);
     addPlanCommand(program, run);
     addSimulateCommand(program, run);
+    addRouteCommand(program, run);
     addInspectCommand(program, run);
     addReportCommand(program, run);
     addVerifyCommand(program, run);

@@ -38,4 +38,17 @@ struct AutomaticLabeller {
 void inspectAutomatically(const AutomaticInspectionInput& input, RobotLink& robot, const AutomaticLabeller& labeller,
                           Inspection& inspection, Progress& progress);
 
+/// Goes on with the plan of an inspection at the first visit not done, as inspectAutomatically() drives it.
+/// @throws Error as above, and without a plan
+void resumeAutomatically(RobotLink& robot, const AutomaticLabeller& labeller, Inspection& inspection,
+                         Progress& progress);
+
+/// Drives the inspection route at the first pose not done. Photos of it are kept, and nobody labels them.
+/// @throws Error when the robot holds, or the route has no poses; Cancelled (the goals are then cancelled)
+void driveRoute(RobotLink& robot, Inspection& inspection, Progress& progress);
+
+/// Asks the robot for its map.
+/// @throws Error when none comes; Cancelled
+std::shared_ptr<const PointCloud> fetchMap(RobotLink& robot, Progress& progress);
+
 }  // namespace fodscope

@@ -131,6 +131,21 @@ void fillMap(MappingRun& run, const std::vector<MapVoxels::Voxel>& voxels, std::
                       [&](std::size_t i) { run.map.colours[i] = mapColour(voxels[i], T_world_from_map); });
 }
 
+/// Everything but where it drives and where its map frame lies.
+void mapTrajectory(MappingRun& run, const World& world, const Raycaster& raycaster, std::span<const Pose2> poses_world,
+                   const DepthMappingSettings& settings, Progress& progress) {
+    for (const Pose2& pose : poses_world)
+        run.trajectory_world.push_back(bodyPose(pose, settings));
+    for (const Transform& pose : withDrift(run.trajectory_world, settings))
+        run.trajectory_map.push_back(run.T_map_from_world * pose);
+    run.robotStart_map = poseFromTransform(run.T_map_from_world * transformFromPose(world.robotStart_world));
+    run.grid_map = explored(floorGrid(world, raycaster, run.T_map_from_world, {}), run.robotStart_map);
+
+    const MapVoxels voxels = mergeFrames(raycaster, run, settings, run.rawPoints, progress);
+    fillMap(run, keptVoxels(voxels, settings, run.voxels), world.objects.size());
+    progress.report(kStage, 1.0);
+}
+
 }  // namespace
 
 Transform drawMapFrame(const DepthMappingSettings& s) {
@@ -159,16 +174,18 @@ MappingRun mapWorld(const World& world, const DepthMappingSettings& settings, Pr
 
     MappingRun run;
     run.T_map_from_world = drawMapFrame(settings);
-    for (const Pose2& pose : mappingRoute(grid_world, world.robotStart_world, route))
-        run.trajectory_world.push_back(bodyPose(pose, settings));
-    for (const Transform& pose : withDrift(run.trajectory_world, settings))
-        run.trajectory_map.push_back(run.T_map_from_world * pose);
-    run.robotStart_map = poseFromTransform(run.T_map_from_world * transformFromPose(world.robotStart_world));
-    run.grid_map = explored(floorGrid(world, raycaster, run.T_map_from_world, {}), run.robotStart_map);
+    mapTrajectory(run, world, raycaster, mappingRoute(grid_world, world.robotStart_world, route), settings, progress);
+    return run;
+}
 
-    const MapVoxels voxels = mergeFrames(raycaster, run, settings, run.rawPoints, progress);
-    fillMap(run, keptVoxels(voxels, settings, run.voxels), world.objects.size());
-    progress.report(kStage, 1.0);
+MappingRun mapAlong(const World& world, std::span<const Pose2> poses_world, const DepthMappingSettings& settings,
+                    Progress& progress) {
+    requireUsable(settings);
+    if (poses_world.empty()) throw Error("map", "the robot has not driven yet", "drive a route first");
+    progress.report(kStage, 0.0);
+    MappingRun run;
+    run.T_map_from_world = world.T_map_from_world;
+    mapTrajectory(run, world, Raycaster(world), poses_world, settings, progress);
     return run;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/cloud/PointCloud.h"
@@ -84,5 +85,11 @@ struct MappingRun {
 /// Drives a closed route over the reachable floor and merges the depth images. Seeded; runs in parallel without
 /// changing the result.
 MappingRun mapWorld(const World& world, const DepthMappingSettings& settings, Progress& progress);
+
+/// The same along a drive that somebody else made, and in the map frame of the world.
+/// @param poses_world the robot's key frames
+/// @throws Error as mapWorld(), and without key frames
+MappingRun mapAlong(const World& world, std::span<const Pose2> poses_world, const DepthMappingSettings& settings,
+                    Progress& progress);
 
 }  // namespace fodscope

@@ -170,4 +170,9 @@ OccupancyGrid explored(OccupancyGrid grid, const Pose2& start) {
     return grid;
 }
 
+OccupancyGrid exploredFloor(const World& world) {
+    const Pose2 start_map = poseFromTransform(world.T_map_from_world * transformFromPose(world.robotStart_world));
+    return explored(floorGrid(world, Raycaster(world), world.T_map_from_world, {}), start_map);
+}
+
 }  // namespace fodscope

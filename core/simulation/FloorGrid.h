@@ -30,4 +30,7 @@ std::vector<std::uint8_t> connectedFloor(const OccupancyGrid& grid, const Pose2&
 /// The grid as a robot that explored it from `start` knows it: what does not border on floor it can get to is unknown.
 OccupancyGrid explored(OccupancyGrid grid, const Pose2& start);
 
+/// @return the floor of a world in its map frame, as its robot would know it after exploring it from its start
+OccupancyGrid exploredFloor(const World& world);
+
 }  // namespace fodscope

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <future>
 #include <mutex>
 #include <utility>
@@ -72,6 +73,37 @@ class Rendering {
     std::future<std::vector<std::byte>> bytes_;
 };
 
+/// A map that is being made. Who no longer wants it destroys it.
+class MapMaking {
+  public:
+    MapMaking() = default;
+    MapMaking(std::shared_ptr<const World> world, std::vector<Pose2> poses_world, const DepthMappingSettings& settings)
+        : progress_(std::make_shared<Progress>()),
+          map_(std::async(std::launch::async, [world = std::move(world), poses_world = std::move(poses_world), settings,
+                                               progress = progress_] {
+              return std::make_shared<const PointCloud>(mapAlong(*world, poses_world, settings, *progress).map);
+          })) {}
+    ~MapMaking() {
+        if (progress_) progress_->cancel();
+    }
+    MapMaking(MapMaking&&) = default;
+    MapMaking& operator=(MapMaking&&) = default;
+
+    bool isDoneWithin(std::chrono::milliseconds time) const { return map_.wait_for(time) == std::future_status::ready; }
+    std::shared_ptr<const PointCloud> take() { return map_.get(); }
+
+  private:
+    std::shared_ptr<Progress> progress_;
+    std::future<std::shared_ptr<const PointCloud>> map_;
+};
+
+/// Of one poll to the next, with a step of its own between key frames.
+bool isNextKeyFrame(const Pose2& last, const Pose2& now, const DepthMappingSettings& settings) {
+    constexpr double kTurn_rad = 0.7;
+    return std::hypot(now.x_m - last.x_m, now.y_m - last.y_m) >= settings.keyFrameSpacing_m ||
+           std::abs(wrapAngle(now.yaw_rad - last.yaw_rad)) >= kTurn_rad;
+}
+
 class SimulatedRobot : public RobotLink {
   public:
     SimulatedRobot(std::shared_ptr<const World> world, OccupancyGrid grid_map, std::shared_ptr<const PointCloud> map,
@@ -119,6 +151,10 @@ class SimulatedRobot : public RobotLink {
     void expose(Exposure& exposure, double now_s);
     void develop(double now_s);
     bool isDeveloped(const Exposure& exposure, double now_s) const;
+    template <typename Work>
+    bool isReady(const Work& work) const;
+    void noteKeyFrame();
+    void deliverMap();
     RobotState state() const;
 
     std::shared_ptr<const World> world_;
@@ -132,7 +168,9 @@ class SimulatedRobot : public RobotLink {
     double stillSince_s_ = 0.0;
     std::optional<Drive> drive_;
     std::vector<Exposure> exposures_;
-    std::uint64_t photosTaken_ = 0;
+    /// Where it was while it mapped, map frame.
+    std::vector<Pose2> keyFrames_map_;
+    std::optional<MapMaking> mapMaking_;
     std::vector<RobotEvent> events_;
 };
 
@@ -140,12 +178,19 @@ void SimulatedRobot::disconnect() {
     if (!connected_) return;
     drive_.reset();
     exposures_.clear();
+    mapMaking_.reset();
     connected_ = false;
     events_.emplace_back(RobotStateChanged{state()});
 }
 
 void SimulatedRobot::requestMap() {
-    if (map_) {
+    if (settings_.mapping && connected_) {
+        const Transform T_world_from_map = world_->T_map_from_world.inverse();
+        std::vector<Pose2> poses_world;
+        for (const Pose2& pose : keyFrames_map_)
+            poses_world.push_back(poseFromTransform(T_world_from_map * transformFromPose(pose)));
+        mapMaking_.emplace(world_, std::move(poses_world), *settings_.mapping);
+    } else if (map_) {
         events_.emplace_back(MapReceived{map_});
     } else {
         events_.emplace_back(LinkMessage{"the simulated robot has no map"});
@@ -191,7 +236,9 @@ std::vector<RobotEvent> SimulatedRobot::poll(double now_s) {
     if (connected_) moveOn(now_s);
     now_s_ = now_s;
     if (connected_) {
+        noteKeyFrame();
         develop(now_s);
+        deliverMap();
         events_.emplace_back(RobotStateChanged{state()});
     }
     return std::exchange(events_, {});
@@ -239,7 +286,8 @@ void SimulatedRobot::expose(Exposure& exposure, double now_s) {
     if (!exposure.requested_s) exposure.requested_s = now_s;
     exposure.due_s = std::max(*exposure.requested_s, stillSince_s_) + settings_.photoDelay_s;
     PhotoCameraSettings camera = settings_.camera;
-    camera.seed += photosTaken_++;
+    // No two photos alike, not even after the robot or the program was started anew.
+    camera.seed += std::hash<std::string>()(exposure.requestId) & 0xffffffffU;
     Photo& photo = exposure.photo;
     photo.taken = UtcTime::now();
     photo.T_map_from_camera = cameraPose(pose_map_, camera);
@@ -266,14 +314,33 @@ void SimulatedRobot::develop(double now_s) {
 }
 
 bool SimulatedRobot::isDeveloped(const Exposure& exposure, double now_s) const {
+    return exposure.rendering.hasBegun() && now_s >= exposure.due_s && isReady(exposure.rendering);
+}
+
+template <typename Work>
+bool SimulatedRobot::isReady(const Work& work) const {
     constexpr std::chrono::milliseconds kShortWait(20);
-    const Rendering& rendering = exposure.rendering;
-    if (!rendering.hasBegun() || now_s < exposure.due_s) return false;
-    if (!settings_.waitForRendering) return rendering.isDoneWithin(std::chrono::milliseconds(0));
+    if (!settings_.waitForRendering) return work.isDoneWithin(std::chrono::milliseconds(0));
     do {
         if (settings_.isWaitOver && settings_.isWaitOver()) return false;
-    } while (!rendering.isDoneWithin(kShortWait));
+    } while (!work.isDoneWithin(kShortWait));
     return true;
+}
+
+void SimulatedRobot::noteKeyFrame() {
+    if (!settings_.mapping) return;
+    if (keyFrames_map_.empty() || isNextKeyFrame(keyFrames_map_.back(), pose_map_, *settings_.mapping))
+        keyFrames_map_.push_back(pose_map_);
+}
+
+void SimulatedRobot::deliverMap() {
+    if (!mapMaking_ || !isReady(*mapMaking_)) return;
+    try {
+        events_.emplace_back(MapReceived{mapMaking_->take()});
+    } catch (const std::exception& problem) {
+        events_.emplace_back(LinkMessage{std::string("no map: ") + problem.what()});
+    }
+    mapMaking_.reset();
 }
 
 RobotState SimulatedRobot::state() const {

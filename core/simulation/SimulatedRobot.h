@@ -7,6 +7,7 @@
 
 #include "core/planning/CostMap.h"
 #include "core/robot/RobotLink.h"
+#include "core/simulation/DepthMapping.h"
 #include "core/simulation/PhotoCamera.h"
 #include "core/simulation/World.h"
 
@@ -18,6 +19,8 @@ struct SimulatedRobotSettings {
     double acknowledgeDelay_s = 0.2;
     double photoDelay_s = 0.4;
     PhotoCameraSettings camera;
+    /// It maps while it drives, and requestMap() is answered with what it has seen until then.
+    std::optional<DepthMappingSettings> mapping;
     /// Photos are rendered in a thread of their own. With a clock faster than real time a photo would be late for no
     /// fault of the robot: then poll() waits for the one that is due.
     bool waitForRendering = false;
@@ -26,7 +29,7 @@ struct SimulatedRobotSettings {
 };
 
 /// A robot that behaves: it confirms goals, drives the cost map's paths at a robot's speed and takes photos of the
-/// world. Map and grid are answered when they were given to it.
+/// world. Map and grid are answered when they were given to it, or the map when it has made one itself.
 /// It starts where the world says, and takes photos while it stands. Connect it first.
 /// @param grid_map the robot's own grid in the map frame
 /// @param map what requestMap() answers; may be empty

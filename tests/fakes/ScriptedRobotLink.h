@@ -40,7 +40,7 @@ class ScriptedRobotLink : public RobotLink {
         for (RobotEvent& event : events) {
             if (auto* changed = std::get_if<RobotStateChanged>(&event)) changed->state.poseMeasured_s = now_s;
         }
-        return std::exchange(events, {});
+        return keepsEvents && goals.empty() ? std::vector<RobotEvent>() : std::exchange(events, {});
     }
 
     /// Comes with the next poll.
@@ -79,6 +79,8 @@ class ScriptedRobotLink : public RobotLink {
     int cancels = 0;
     int photosSent = 0;
     bool hasReported = false;
+    /// Says nothing before the first goal.
+    bool keepsEvents = false;
     std::vector<RobotEvent> events;
 };
 

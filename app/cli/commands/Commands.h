@@ -12,6 +12,7 @@ void addPlanCommand(CLI::App& program, Run& run);
 void addTuneCommand(CLI::App& program, Run& run);
 void addSimulateCommand(CLI::App& program, Run& run);
 void addInspectCommand(CLI::App& program, Run& run);
+void addRouteCommand(CLI::App& program, Run& run);
 void addReportCommand(CLI::App& program, Run& run);
 void addVerifyCommand(CLI::App& program, Run& run);
 void addEvaluateCommand(CLI::App& program, Run& run);
