@@ -6,6 +6,7 @@
 
 #include "ui/commands/CandidateCommands.h"
 #include "ui/commands/InputCommands.h"
+#include "ui/commands/RouteCommands.h"
 #include "ui/commands/SessionCommands.h"
 #include "ui/commands/VisitCommands.h"
 #include "ui/commands/WindowCommands.h"
@@ -34,8 +35,9 @@ std::vector<MenuPlan> menus() {
               "metric.chi-square", "candidate.paper", "", "threshold.down", "threshold.up", "threshold.down.coarse",
               "threshold.up.coarse"}},
             {QObject::tr("&Robot"),
-             {"robot.builtin", "robot.world", "visit.grid", "", "visit.plan", "", "visit.start", "visit.pause",
-              "visit.toggle", "visit.skip", "visit.retry", "", "robot.stop"}},
+             {"robot.builtin", "robot.world", "visit.grid", "", "route.robot", "route.load", "route.save",
+              "route.drive", "route.map", "", "visit.plan", "", "visit.start", "visit.pause", "visit.toggle",
+              "visit.skip", "visit.retry", "", "robot.stop"}},
             {QObject::tr("&Report"), {"label.next", "label.set", "", "report.issue"}},
             {QObject::tr("&Help"), {"help.manual", "help.keys", "help.palette"}}};
 }
@@ -96,6 +98,11 @@ CommandSet::CommandSet(CommandContext context, QObject* parent) : QObject(parent
     add<UseMetricCommand>(Metric::ChiSquare);
     add<PaperSettingsCommand>();
     add<TuningCommand>();
+    add<LoadRouteCommand>();
+    add<SaveRouteCommand>();
+    add<ConnectMappingRobotCommand>();
+    add<DriveRouteCommand>();
+    add<FetchMapCommand>();
     add<LoadGridCommand>();
     add<ConnectWorldRobotCommand>();
     add<ConnectBuiltinRobotCommand>();
@@ -125,7 +132,8 @@ CommandSet::CommandSet(CommandContext context, QObject* parent) : QObject(parent
                               &InspectionController::candidatesChanged, &InspectionController::planChanged,
                               &InspectionController::visitsChanged, &InspectionController::robotChanged,
                               &InspectionController::decisionsChanged, &InspectionController::historyChanged,
-                              &InspectionController::residualsChanged, &InspectionController::stepsChanged})
+                              &InspectionController::residualsChanged, &InspectionController::stepsChanged,
+                              &InspectionController::routeChanged})
         connect(&controller, signal, this, &CommandSet::refreshAll);
     connect(&controller, &InspectionController::selectionChanged, this, &CommandSet::refreshAll);
     refreshAll();

@@ -5,6 +5,7 @@
 #include "ui/panels/Format.h"
 #include "ui/panels/PoseList.h"
 #include "ui/panels/ResidualCard.h"
+#include "ui/panels/RouteCard.h"
 #include "ui/widgets/Card.h"
 #include "ui/widgets/StatusChip.h"
 
@@ -78,6 +79,7 @@ MapPanel::MapPanel(InspectionController& controller, const CommandSet& commands,
         alignment_->body()->addWidget(commands.makeButton(QString::fromLatin1(id), alignment_));
     column()->addWidget(alignment_);
     column()->addWidget(new ResidualCard(controller, commands, this));
+    column()->addWidget(new RouteCard(controller, commands, this));
     column()->addStretch();
 
     for (const auto signal : {&InspectionController::sessionChanged, &InspectionController::mapChanged,

@@ -52,6 +52,37 @@ StateText runnerText(RunnerState state, const std::vector<Visit>& visits) {
     return {};
 }
 
+/// "driving, 2nd try": a first try goes without saying.
+QString withTries(const QString& word, const Visit& visit) {
+    if (visit.state == VisitState::Photo && visit.photoTries > 1)
+        return QObject::tr("%1, try %2").arg(word).arg(visit.photoTries);
+    if (visit.tries < 2 || visit.state == VisitState::Draft) return word;
+    return isUnderWay(visit.state) ? QObject::tr("%1, try %2").arg(word).arg(visit.tries)
+                                   : QObject::tr("%1, %2 tries").arg(word).arg(visit.tries);
+}
+
+/// The line under the list: what became of the visit, why, and how often it was tried.
+QString storyOf(const Visit& visit) {
+    QStringList parts{QString::fromStdString(visit.waypointId), stateText(visit).word};
+    if (const std::string why = reasonText(visit); !why.empty()) parts << QString::fromStdString(why);
+    if (visit.tries > 0)
+        parts << counted(static_cast<std::size_t>(visit.tries), QObject::tr("drive"), QObject::tr("drives"));
+    if (visit.photoTries > 0)
+        parts << counted(static_cast<std::size_t>(visit.photoTries), QObject::tr("photo asked for"),
+                         QObject::tr("photos asked for"));
+    return parts.join(QStringLiteral(" · "));
+}
+
+/// The one that needs words most: under way, else the last that failed or waits with a reason.
+const Visit* visitToTell(const std::vector<Visit>& visits) {
+    const Visit* told = nullptr;
+    for (const Visit& visit : visits) {
+        if (isUnderWay(visit.state)) return &visit;
+        if (visit.reason != VisitReason::None && visit.reason != VisitReason::NoPose) told = &visit;
+    }
+    return told;
+}
+
 QString joined(const std::vector<std::string>& ids) {
     QStringList words;
     for (const std::string& id : ids)
@@ -156,6 +187,9 @@ void VisitPanel::makeDriveCard(const CommandSet& commands) {
     list_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
     drive_->body()->addWidget(list_);
+    story_ = makeText({}, TextRole::Muted, drive_);
+    story_->setObjectName(QStringLiteral("visit.story"));
+    drive_->body()->addWidget(story_);
     column()->addWidget(drive_);
     connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
         if (item == nullptr || filling_) return;
@@ -253,7 +287,7 @@ void VisitPanel::refreshVisits() {
         QTreeWidgetItem* item = list_->topLevelItem(i);
         item->setText(0, QString::fromStdString(waypoint.id));
         item->setText(1, joined(waypoint.candidateIds));
-        item->setText(2, text.word);
+        item->setText(2, visit ? withTries(text.word, *visit) : text.word);
         item->setForeground(2, statusColour(theme, text.kind));
         item->setToolTip(2, visit ? QString::fromStdString(reasonText(*visit)) : QString());
         item->setData(
@@ -264,7 +298,18 @@ void VisitPanel::refreshVisits() {
     selectRow();
 }
 
+void VisitPanel::tellStory() {
+    const InspectionState& state = controller_.state();
+    const Waypoint* waypoint = waypointOf(state, controller_.selectedCandidate().toStdString());
+    const Visit* visit = waypoint ? visitOf(state, waypoint->id) : nullptr;
+    if (visit == nullptr || (visit->reason == VisitReason::None && !isUnderWay(visit->state) && visit->tries == 0))
+        visit = visitToTell(state.visits);
+    story_->setVisible(visit != nullptr);
+    if (visit != nullptr) story_->setText(storyOf(*visit));
+}
+
 void VisitPanel::selectRow() {
+    tellStory();
     filling_ = true;
     QTreeWidgetItem* chosen = nullptr;
     for (int i = 0; i < list_->topLevelItemCount(); ++i)

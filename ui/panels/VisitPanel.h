@@ -33,6 +33,7 @@ class VisitPanel : public PanelColumn {
     void refreshPlan();
     void refreshVisits();
     void selectRow();
+    void tellStory();
     void takeStart();
 
     InspectionController& controller_;
@@ -51,6 +52,7 @@ class VisitPanel : public PanelColumn {
     QLabel* told_ = nullptr;
     QProgressBar* progress_ = nullptr;
     QTreeWidget* list_ = nullptr;
+    QLabel* story_ = nullptr;
     bool filling_ = false;
     QTimer ageTimer_;
 };

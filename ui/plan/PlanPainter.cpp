@@ -114,6 +114,7 @@ void paintRoute(QPainter& painter, const PlanScene& scene, const PlanTransform& 
 
 void paintCones(QPainter& painter, const PlanScene& scene, const PlanTransform& transform, const PlanLook& look) {
     for (const PlanWaypoint& waypoint : scene.waypoints) {
+        if (!waypoint.takesPhoto) continue;
         const bool selected = waypoint.id == look.selectedWaypoint;
         QColor fill = selected ? look.theme.accent : look.theme.text;
         fill.setAlpha(selected ? 60 : 22);

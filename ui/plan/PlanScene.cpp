@@ -82,6 +82,23 @@ PlanScene planScene(const InspectionState& state) {
     return scene;
 }
 
+PlanScene routeScene(const InspectionState& state, const OccupancyGrid* grid_map) {
+    PlanScene scene;
+    scene.isRoute = true;
+    if (grid_map != nullptr && !grid_map->cells.empty())
+        scene.costMap = std::make_shared<CostMap>(inflate(*grid_map, state.parameters.costMap));
+    for (const Waypoint& waypoint : planOf(state.route).waypoints) {
+        PlanWaypoint item;
+        item.id = waypoint.id;
+        item.number = static_cast<int>(scene.waypoints.size()) + 1;
+        item.pose_map = *waypoint.pose_map;
+        item.takesPhoto = waypoint.takesPhoto;
+        scene.waypoints.push_back(std::move(item));
+    }
+    updateVisits(scene, state.routeVisits);
+    return scene;
+}
+
 void updateVisits(PlanScene& scene, const std::vector<Visit>& visits) {
     for (PlanWaypoint& waypoint : scene.waypoints) {
         const auto visit = std::find_if(visits.begin(), visits.end(),

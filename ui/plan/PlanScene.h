@@ -31,6 +31,7 @@ struct PlanWaypoint {
     int number = 0;
     std::vector<std::string> candidateIds;
     Pose2 pose_map;
+    bool takesPhoto = true;
     VisitState state = VisitState::Draft;
     std::string reason;
     /// Drive that leads to it.
@@ -53,6 +54,8 @@ struct PlanScene {
     std::vector<PlanWaypoint> waypoints;
     double length_m = 0.0;
     std::optional<Pose2> start_map;
+    /// A route whose poses can be moved; without candidates.
+    bool isRoute = false;
     /// The photo camera's view.
     double viewAngle_rad = 1.2043;
     double viewRange_m = 0.75;
@@ -60,6 +63,9 @@ struct PlanScene {
 
 /// The plan of an inspection. Makes the cost map from its grid; that takes some 10 ms on a tank.
 PlanScene planScene(const InspectionState& state);
+
+/// The inspection route on a grid, which may be null.
+PlanScene routeScene(const InspectionState& state, const OccupancyGrid* grid_map);
 
 /// The visits' states put into a scene, without making the cost map anew.
 void updateVisits(PlanScene& scene, const std::vector<Visit>& visits);

@@ -9,9 +9,11 @@
 #include <QToolTip>
 #include <QWheelEvent>
 #include <cmath>
+#include <utility>
 
 #include "ui/plan/PlanPainter.h"
 #include "ui/plan/PlanWords.h"
+#include "ui/plan/PoseEditing.h"
 #include "ui/theme/Icons.h"
 #include "ui/theme/Theme.h"
 
@@ -28,12 +30,16 @@ struct PlanView::Parts {
     /// The operator zoomed or panned: a resize then keeps the scale.
     bool moved = false;
     bool dragging = false;
+    /// The pose of a route that the mouse holds, and where it was.
+    std::optional<PoseGrip> grip;
+    Pose2 gripped_map;
     QPointF pressed;
     QPointF dragged;
     QToolButton* fit = nullptr;
 };
 
 PlanView::PlanView(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>()) {
+    qRegisterMetaType<Pose2>();
     setObjectName(QStringLiteral("planView"));
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
@@ -56,6 +62,7 @@ const PlanScene& PlanView::scene() const {
 
 void PlanView::setScene(PlanScene scene) {
     parts_->scene = std::move(scene);
+    parts_->grip.reset();
     parts_->images = {};
     const PlanExtent extent = planExtent(parts_->scene);
     const bool sameExtent = extent == parts_->extent;
@@ -111,10 +118,17 @@ void PlanView::paintEvent(QPaintEvent*) {
         painter.setPen(theme.muted);
         painter.setFont(fontFor(TextRole::Body));
         painter.drawText(rect().adjusted(24, 0, -24, 0), Qt::AlignCenter | Qt::TextWordWrap,
-                         tr("The plan needs candidates. Detect them in step 3, then plan the visits."));
+                         parts_->scene.isRoute
+                             ? tr("Connect a robot or load a route to see it here.")
+                             : tr("The plan needs candidates. Detect them in step 3, then plan the visits."));
         return;
     }
     paintPlan(painter, plan, parts_->scene, parts_->images, parts_->transform, parts_->look);
+    if (parts_->scene.isRoute) {
+        painter.setClipRect(plan);
+        paintPoseHandles(painter, parts_->scene, parts_->transform, theme);
+        painter.setClipping(false);
+    }
     painter.fillRect(QRectF(0, plan.bottom(), width(), legendHeight), theme.surface1);
     painter.fillRect(QRectF(0, plan.bottom(), width(), 1), theme.line);
     paintPlanLegend(painter, QRectF(0, plan.bottom(), width(), legendHeight), parts_->scene, parts_->look, true);
@@ -137,6 +151,9 @@ void PlanView::wheelEvent(QWheelEvent* event) {
 void PlanView::mousePressEvent(QMouseEvent* event) {
     parts_->pressed = parts_->dragged = event->localPos();
     parts_->dragging = false;
+    if (!parts_->scene.isRoute || event->button() != Qt::LeftButton) return;
+    parts_->grip = poseGripAt(parts_->scene, parts_->transform, event->localPos());
+    if (parts_->grip) parts_->gripped_map = parts_->scene.waypoints[parts_->grip->waypoint].pose_map;
 }
 
 void PlanView::mouseMoveEvent(QMouseEvent* event) {
@@ -145,6 +162,12 @@ void PlanView::mouseMoveEvent(QMouseEvent* event) {
     if (event->buttons() != Qt::NoButton) {
         parts_->dragging = parts_->dragging || (place - parts_->pressed).manhattanLength() > kSlip_px;
         if (!parts_->dragging) return;
+        if (parts_->grip) {
+            parts_->scene.waypoints[parts_->grip->waypoint].pose_map =
+                draggedPose(*parts_->grip, parts_->gripped_map, parts_->transform, place);
+            update();
+            return;
+        }
         parts_->moved = true;
         parts_->transform.origin += place - parts_->dragged;
         parts_->dragged = place;
@@ -162,6 +185,14 @@ void PlanView::mouseMoveEvent(QMouseEvent* event) {
 
 void PlanView::mouseReleaseEvent(QMouseEvent* event) {
     unsetCursor();
+    if (const auto grip = std::exchange(parts_->grip, std::nullopt)) {
+        const PlanWaypoint& waypoint = parts_->scene.waypoints[grip->waypoint];
+        const QString id = QString::fromStdString(waypoint.id);
+        setSelectedWaypoint(id);
+        emit waypointSelected(id);
+        if (std::exchange(parts_->dragging, false)) emit poseChanged(id, Pose2(waypoint.pose_map));
+        return;
+    }
     if (parts_->dragging || event->button() != Qt::LeftButton) {
         parts_->dragging = false;
         return;
@@ -180,12 +211,28 @@ void PlanView::mouseReleaseEvent(QMouseEvent* event) {
 void PlanView::mouseDoubleClickEvent(QMouseEvent* event) {
     const PlanHit hit = planHit(parts_->scene, parts_->transform, event->localPos());
     if (hit.item == PlanItem::Candidate) emit candidateActivated(QString::fromStdString(hit.id));
+    if (hit.item != PlanItem::None || !parts_->scene.isRoute || event->button() != Qt::LeftButton) return;
+    emit poseAdded(addedPose(parts_->scene, parts_->transform.toMap(event->localPos())));
 }
 
 void PlanView::keyPressEvent(QKeyEvent* event) {
     constexpr double kPan_px = 40.0;
     const QPointF middle(0.5 * width(), 0.5 * height());
     switch (event->key()) {
+        case Qt::Key_Delete:
+            if (parts_->scene.isRoute && !parts_->look.selectedWaypoint.empty())
+                emit poseRemoved(QString::fromStdString(parts_->look.selectedWaypoint));
+            return;
+        case Qt::Key_Escape:
+            if (!parts_->grip) {
+                QWidget::keyPressEvent(event);
+                return;
+            }
+            parts_->scene.waypoints[parts_->grip->waypoint].pose_map = parts_->gripped_map;
+            parts_->grip.reset();
+            parts_->dragging = false;
+            update();
+            return;
         case Qt::Key_Home:
             fit();
             return;

@@ -38,6 +38,10 @@ class PlanView : public QWidget {
     void candidateSelected(const QString& candidateId);
     /// Double click.
     void candidateActivated(const QString& candidateId);
+    /// Of a route: a double click beside all poses, a pose that was dragged or turned, and Delete.
+    void poseAdded(const fodscope::Pose2& pose_map);
+    void poseChanged(const QString& waypointId, const fodscope::Pose2& pose_map);
+    void poseRemoved(const QString& waypointId);
 
   protected:
     void paintEvent(QPaintEvent* event) override;
@@ -57,3 +61,5 @@ class PlanView : public QWidget {
 };
 
 }  // namespace fodscope
+
+Q_DECLARE_METATYPE(fodscope::Pose2)

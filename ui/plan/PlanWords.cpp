@@ -27,9 +27,9 @@ QString waypointWords(const PlanWaypoint& waypoint) {
     QStringList candidates;
     for (const std::string& id : waypoint.candidateIds)
         candidates << QString::fromStdString(id);
-    QString text = QObject::tr("%1 · %2\nLooks at %3")
-                       .arg(QString::fromStdString(waypoint.id), QString::fromStdString(toString(waypoint.state)),
-                            candidates.join(QStringLiteral(", ")));
+    QString text = QObject::tr("%1 · %2").arg(QString::fromStdString(waypoint.id),
+                                              QString::fromStdString(toString(waypoint.state)));
+    if (!candidates.isEmpty()) text += QObject::tr("\nLooks at %1").arg(candidates.join(QStringLiteral(", ")));
     if (!waypoint.reason.empty()) text += QLatin1Char('\n') + QString::fromStdString(waypoint.reason);
     return text;
 }

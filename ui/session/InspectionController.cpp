@@ -50,8 +50,13 @@ void InspectionController::connectParts() {
     connect(&previewer_, &CandidatePreview::failed, this, &InspectionController::errorRaised);
     connect(&visits_, &VisitDriver::robotChanged, this, &InspectionController::robotChanged);
     connect(&visits_, &VisitDriver::runnerStateChanged, this, &InspectionController::visitsChanged);
+    connect(&visits_, &VisitDriver::runnerStateChanged, this, &InspectionController::followRoute);
+    connect(&visits_, &VisitDriver::mapReceived, this, &InspectionController::keepMap);
     connect(&visits_, &VisitDriver::message, this, &InspectionController::noticeRaised);
-    connect(&visits_, &VisitDriver::gridReceived, this, [this](const OccupancyGrid& grid) { robotGrid_ = grid; });
+    connect(&visits_, &VisitDriver::gridReceived, this, [this](const OccupancyGrid& grid) {
+        robotGrid_ = grid;
+        emit routeChanged();
+    });
     connect(&visits_, &VisitDriver::visitChanged, this, &InspectionController::keepVisit);
     connect(&visits_, &VisitDriver::photoArrived, this, &InspectionController::keepPhoto);
 }
@@ -139,6 +144,8 @@ void InspectionController::closeSession() {
     previewer_.drop();
     preview_.reset();
     history_.clear();
+    isOnRoute_ = isMapAwaited_ = false;
+    selectedRoutePose_.clear();
     inspection_.reset();
     session_.reset();
     pipeline_ = std::make_shared<DetectionPipeline>();

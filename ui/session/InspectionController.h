@@ -131,6 +131,29 @@ class InspectionController : public QObject {
     /// Cancels every goal of the robot at once.
     void stopRobot();
 
+    // --- the inspection route ----------------------------------------------------------------------------------------
+    /// What the route is drawn on; null until a robot, a file or a plan brought a grid.
+    const OccupancyGrid* routeGrid() const;
+    /// Whether there is a route, or a robot that could drive one while there is no map.
+    bool isRouteWanted() const;
+    /// Keeps an edited route. Can be undone.
+    /// @param act in words, after "undo "
+    void setRoute(const InspectionRoute& route, const QString& act);
+    void removeRoutePose(const QString& poseId);
+    void loadRoute(const QString& yamlFile);
+    void saveRoute(const QString& yamlFile);
+    /// A simulated robot in a world file, which maps while it drives.
+    void connectMappingRobot(const QString& worldFile);
+    /// Goes on at the first pose not done; when all are, the map is fetched.
+    void driveRoute();
+    /// Every pose is to be driven once more.
+    void driveRouteAgain();
+    bool isDrivingRoute() const { return isOnRoute_ && visits_.runnerState() == RunnerState::Running; }
+    /// Asks the robot for its map, keeps it in a file beside the session and loads it.
+    void fetchMap();
+    QString selectedRoutePose() const { return selectedRoutePose_; }
+    void selectRoutePose(const QString& poseId);
+
     // --- photos and decisions ----------------------------------------------------------------------------------------
     const Photo* findPhoto(const QString& photoId) const;
     QString labeller() const { return labeller_; }
@@ -178,6 +201,8 @@ class InspectionController : public QObject {
     void posePreviewChanged();
     void residualsChanged();
     void planChanged();
+    void routeChanged();
+    void routePoseSelected(const QString& poseId);
     void visitsChanged();
     void robotChanged();
     void photosChanged();
@@ -214,6 +239,10 @@ class InspectionController : public QObject {
     void dropPreview();
     void refreshVerdicts();
     GridSources gridSources() const;
+    bool keepRoute(const InspectionRoute& route);
+    void followRoute();
+    void leaveRoute();
+    void keepMap(const std::shared_ptr<const PointCloud>& map);
     void keepVisit(const Visit& visit);
     void keepPhoto(const Photo& photo);
     void recordDecision(const std::string& photoId, const std::string& labeller, const std::vector<PhotoLabel>& labels,
@@ -252,6 +281,10 @@ class InspectionController : public QObject {
     std::optional<OccupancyGrid> robotGrid_;
     std::shared_ptr<const World> world_;
     bool isBuiltinPending_ = false;
+    /// The runner drives the route, not the plan.
+    bool isOnRoute_ = false;
+    bool isMapAwaited_ = false;
+    QString selectedRoutePose_;
     std::optional<Step> taskStep_;
     /// Last, so that their threads end before what they work on goes.
     VisitDriver visits_;

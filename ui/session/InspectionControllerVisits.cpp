@@ -65,6 +65,7 @@ void InspectionController::planVisits() {
                const VisitPlan plan = planInspection(input, grid, start, progress);
                return [this, grid, plan] {
                    inspection_->adoptPlan(grid, plan);
+                   isOnRoute_ = false;
                    visits_.setPlan(plan, state().visits, state().parameters.visits, photoMarks(state()));
                    refreshVerdicts();
                    emit planChanged();
@@ -104,7 +105,12 @@ void InspectionController::stopRobot() {
 }
 
 void InspectionController::keepVisit(const Visit& visit) {
-    if (!inspection_ || !attempt([&] { inspection_->updateVisit(visit); })) return;
+    if (!inspection_) return;
+    if (!attempt([&] { inspection_->updateVisit(visit); })) {
+        // Nothing may be sent that is not on record.
+        visits_.stop();
+        return;
+    }
     emit visitsChanged();
     emit stepsChanged();
 }

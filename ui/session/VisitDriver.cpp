@@ -103,6 +103,10 @@ void VisitDriver::retry(const std::string& waypointId) {
     poll();
 }
 
+void VisitDriver::requestMap() {
+    if (robot_) robot_->requestMap();
+}
+
 void VisitDriver::poll() {
     if (!robot_) return;
     if (!runner_) {
@@ -122,6 +126,8 @@ void VisitDriver::poll() {
         emit photoArrived(photo);
     for (const Visit& visit : progress.changedVisits)
         emit visitChanged(visit);
+    for (const RobotEvent& event : progress.otherEvents)
+        handle(event);
     for (const std::string& text : progress.messages)
         emit message(QString::fromStdString(text));
     if (const RunnerState state = runnerState(); state != shownState_) {

@@ -43,6 +43,8 @@ class VisitDriver : public QObject {
     void skip();
     void stop();
     void retry(const std::string& waypointId);
+    /// Answered by mapReceived().
+    void requestMap();
 
   signals:
     void robotChanged();

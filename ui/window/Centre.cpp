@@ -59,7 +59,7 @@ Centre::Centre(InspectionController& controller, const CommandSet& commands, QWi
     column->addWidget(stack_, 1);
 
     sceneBinding_ = new SceneBinding(controller, *view_, this);
-    new PlanBinding(controller, *plan_, this);
+    planBinding_ = new PlanBinding(controller, *plan_, this);
     new LabellingBinding(controller, *labelling_, this);
 
     connect(&controller, &InspectionController::errorRaised, banner_, &MessageBanner::showError);
@@ -72,11 +72,12 @@ Centre::Centre(InspectionController& controller, const CommandSet& commands, QWi
     connect(empty_, &EmptyState::secondActivated, this, [this] {
         if (Command* command = commands_.find(need_.secondCommandId)) command->trigger();
     });
-    for (const auto signal : {&InspectionController::sessionChanged, &InspectionController::referenceChanged,
-                              &InspectionController::mapChanged, &InspectionController::detectionChanged,
-                              &InspectionController::photosChanged, &InspectionController::decisionsChanged,
-                              &InspectionController::headerChanged, &InspectionController::planChanged,
-                              &InspectionController::stepsChanged})
+    for (const auto signal :
+         {&InspectionController::sessionChanged, &InspectionController::referenceChanged,
+          &InspectionController::mapChanged, &InspectionController::detectionChanged,
+          &InspectionController::photosChanged, &InspectionController::decisionsChanged,
+          &InspectionController::headerChanged, &InspectionController::planChanged, &InspectionController::stepsChanged,
+          &InspectionController::routeChanged, &InspectionController::robotChanged})
         connect(&controller, signal, this, &Centre::refresh);
     for (const auto signal : {&InspectionController::sessionChanged, &InspectionController::detectionChanged,
                               &InspectionController::photosChanged, &InspectionController::decisionsChanged,
@@ -95,6 +96,7 @@ Centre::Centre(InspectionController& controller, const CommandSet& commands, QWi
 void Centre::setStep(Step step) {
     step_ = step;
     sceneBinding_->setStep(step);
+    planBinding_->setStep(step);
     refresh();
     if (step == Step::Report && reportIsOld_) reportDelay_.start();
     if (stack_->currentWidget() == labelling_) labelling_->setFocus();
@@ -109,7 +111,7 @@ void Centre::refresh() {
         showNeed(*need);
         return;
     }
-    plan_->setVisible(step_ == Step::Visit);
+    plan_->setVisible(step_ == Step::Visit || (step_ == Step::Map && controller_.isRouteWanted()));
     QWidget* page = step_ == Step::Label    ? static_cast<QWidget*>(labelling_)
                     : step_ == Step::Report ? static_cast<QWidget*>(report_)
                                             : scene_;

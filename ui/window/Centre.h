@@ -15,6 +15,7 @@ class CommandSet;
 class EmptyState;
 class LabellingView;
 class MessageBanner;
+class PlanBinding;
 class PlanView;
 class ReportPreview;
 class SceneBinding;
@@ -60,6 +61,7 @@ class Centre : public QWidget {
     View3D* view_ = nullptr;
     PlanView* plan_ = nullptr;
     SceneBinding* sceneBinding_ = nullptr;
+    PlanBinding* planBinding_ = nullptr;
     LabellingView* labelling_ = nullptr;
     ReportPreview* report_ = nullptr;
     QTimer reportDelay_;

@@ -13,7 +13,7 @@ PlanBinding::PlanBinding(InspectionController& controller, PlanView& view, QObje
                               &InspectionController::planChanged, &InspectionController::decisionsChanged})
         connect(&controller, signal, this, &PlanBinding::showPlan);
     connect(&controller, &InspectionController::visitsChanged, this,
-            [this] { view_.setVisits(controller_.state().visits); });
+            [this] { view_.setVisits(isRoute_ ? controller_.state().routeVisits : controller_.state().visits); });
     connect(&controller, &InspectionController::robotChanged, this, &PlanBinding::showRobot);
     connect(&controller, &InspectionController::selectionChanged, this, [this](const QString& id) {
         view_.setSelectedCandidate(id);
@@ -21,7 +21,12 @@ PlanBinding::PlanBinding(InspectionController& controller, PlanView& view, QObje
     });
     connect(&view, &PlanView::candidateSelected, &controller, &InspectionController::selectCandidate);
     connect(&view, &PlanView::candidateActivated, &controller, &InspectionController::flyToCandidate);
+    connectRoute();
     connect(&view, &PlanView::waypointSelected, this, [this](const QString& id) {
+        if (isRoute_) {
+            controller_.selectRoutePose(id);
+            return;
+        }
         const auto& plan = controller_.state().plan;
         if (!plan) return;
         const auto chosen = std::ranges::find(plan->waypoints, id.toStdString(), &Waypoint::id);
@@ -34,7 +39,47 @@ PlanBinding::PlanBinding(InspectionController& controller, PlanView& view, QObje
     showPlan();
 }
 
+void PlanBinding::connectRoute() {
+    connect(&controller_, &InspectionController::routeChanged, this, &PlanBinding::showRoute);
+    connect(&controller_, &InspectionController::routePoseSelected, this, [this](const QString& id) {
+        if (isRoute_) view_.setSelectedWaypoint(id);
+    });
+    connect(&view_, &PlanView::poseAdded, this, [this](const Pose2& pose_map) {
+        InspectionRoute route = controller_.state().route;
+        route.poses.push_back({{}, pose_map, false});
+        controller_.setRoute(route, tr("pose added"));
+    });
+    connect(&view_, &PlanView::poseChanged, this, [this](const QString& id, const Pose2& pose_map) {
+        InspectionRoute route = controller_.state().route;
+        const auto pose = std::ranges::find(route.poses, id.toStdString(), &RoutePose::id);
+        if (pose == route.poses.end()) return;
+        pose->pose_map = pose_map;
+        controller_.setRoute(route, tr("pose moved"));
+        // A pose that the robot is at work on stays where it was.
+        showRoute();
+    });
+    connect(&view_, &PlanView::poseRemoved, &controller_, &InspectionController::removeRoutePose);
+}
+
+void PlanBinding::setStep(Step step) {
+    if (isRoute_ == (step == Step::Map)) return;
+    isRoute_ = step == Step::Map;
+    showPlan();
+}
+
+void PlanBinding::showRoute() {
+    if (!isRoute_) return;
+    view_.setScene(routeScene(controller_.state(), controller_.routeGrid()));
+    view_.setSelectedCandidate({});
+    view_.setSelectedWaypoint(controller_.selectedRoutePose());
+    showRobot();
+}
+
 void PlanBinding::showPlan() {
+    if (isRoute_) {
+        showRoute();
+        return;
+    }
     view_.setScene(planScene(controller_.state()));
     view_.setSelectedCandidate(controller_.selectedCandidate());
     selectWaypoint();
@@ -51,6 +96,7 @@ void PlanBinding::showRobot() {
 }
 
 void PlanBinding::selectWaypoint() {
+    if (isRoute_) return;
     const Waypoint* waypoint = waypointOf(controller_.state(), controller_.selectedCandidate().toStdString());
     view_.setSelectedWaypoint(waypoint && waypoint->pose_map ? QString::fromStdString(waypoint->id) : QString());
 }

@@ -16,13 +16,19 @@ class PlanBinding : public QObject {
   public:
     PlanBinding(InspectionController& controller, PlanView& view, QObject* parent);
 
+    /// In the map's step the inspection route, else the plan.
+    void setStep(Step step);
+
   private:
     void showPlan();
+    void showRoute();
+    void connectRoute();
     void showRobot();
     void selectWaypoint();
 
     InspectionController& controller_;
     PlanView& view_;
+    bool isRoute_ = false;
     QTimer ageTimer_;
 };
 

@@ -49,6 +49,7 @@ std::optional<StepNeed> needOf(Step step, const InspectionController& controller
         case Step::Reference:
             return state.reference ? std::nullopt : std::optional(reference());
         case Step::Map:
+            if (controller.isRouteWanted()) return std::nullopt;
             if (!state.reference)
                 return goTo(Icon::Cube, words("A map is compared with a reference: load that first."), Step::Reference);
             return state.mapSource ? std::nullopt : std::optional(map());
