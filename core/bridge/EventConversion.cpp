@@ -98,6 +98,7 @@ RobotState robotStateOf(const State& message, double measuredAgo_s, double now_s
     state.moving = message.moving.value_or(message.goalId.has_value());
     state.goalId = message.goalId;
     state.distanceLeft_m = message.distanceLeft_m;
+    state.clockOffset_s = message.clockAhead_s;
     return state;
 }
 

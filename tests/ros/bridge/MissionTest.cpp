@@ -16,7 +16,7 @@ TEST_F(MissionTest, visitsWaypointsAndBringsAPhotoOfEachWithWhereItWasTaken) {
     ASSERT_TRUE(waitForRunner(RunnerState::Finished));
     ASSERT_EQ(photos_.size(), 3u);
     for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_EQ(visit(i).state, VisitState::Done) << visit(i).reason;
+        EXPECT_EQ(visit(i).state, VisitState::Done) << reasonText(visit(i));
         const Photo& photo = photos_[i];
         const Pose2 goal = *runner_->plan().waypoints[i].pose_map;
         // The camera stands 0.20 m over the robot's middle and looks forward.
