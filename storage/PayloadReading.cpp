@@ -58,6 +58,11 @@ Candidate candidateFrom(const Json& json) {
     return candidate;
 }
 
+std::optional<double> optionalNumber(const Json& json) {
+    if (json.is_null()) return std::nullopt;
+    return json.get<double>();
+}
+
 DrivePath driveFrom(const Json& json) {
     DrivePath drive;
     drive.length_m = numberFrom(json.at("length_m"));
@@ -194,6 +199,14 @@ VisitPlan planFrom(const Json& payload) {
     plan.length_m = numberFrom(payload.at("length_m"));
     for (const Json& waypoint : payload.at("waypoints")) {
         plan.waypoints.push_back(waypointFrom(waypoint));
+    }
+    // Sessions of the first version know none of these.
+    if (!payload.contains("views")) return plan;
+    plan.nearestNextLength_m = optionalNumber(payload.at("nearest_next_length_m"));
+    plan.shortestTourLength_m = optionalNumber(payload.at("shortest_tour_length_m"));
+    for (const Json& view : payload.at("views")) {
+        plan.views.push_back({view.at("candidate").get<std::string>(), numberFrom(view.at("share")),
+                              waypointStatusOf(view.at("rest").get<std::string>())});
     }
     return plan;
 }

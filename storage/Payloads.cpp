@@ -134,6 +134,10 @@ Json driveJson(const DrivePath& drive) {
     return {{"length_m", drive.length_m}, {"points_map_m", points}};
 }
 
+Json orNull(const std::optional<double>& number) {
+    return number ? Json(*number) : Json();
+}
+
 Json waypointJson(const Waypoint& waypoint) {
     Json where;
     if (waypoint.pose_map) where = pose(*waypoint.pose_map);
@@ -226,9 +230,16 @@ ActContent planContent(const OccupancyGrid& grid_map, const VisitPlan& plan, con
     for (const Visit& visit : visits) {
         visitList.push_back(visitJson(visit));
     }
+    Json views = Json::array();
+    for (const CandidateView& view : plan.views) {
+        views.push_back({{"candidate", view.candidateId}, {"share", view.share}, {"rest", wordOf(view.rest)}});
+    }
     content.payload = text({{"grid_map", gridJson(grid_map, content.blobs)},
                             {"start_map", pose(plan.start_map)},
                             {"length_m", plan.length_m},
+                            {"nearest_next_length_m", orNull(plan.nearestNextLength_m)},
+                            {"shortest_tour_length_m", orNull(plan.shortestTourLength_m)},
+                            {"views", views},
                             {"waypoints", waypoints},
                             {"visits", visitList}});
     return content;

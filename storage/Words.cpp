@@ -15,11 +15,15 @@ constexpr Table<RegistrationQuality, 4> kQualities{{{RegistrationQuality::Given,
                                                     {RegistrationQuality::Good, "good"},
                                                     {RegistrationQuality::Ambiguous, "ambiguous"},
                                                     {RegistrationQuality::Bad, "bad"}}};
-constexpr Table<WaypointStatus, 5> kStatuses{{{WaypointStatus::Ok, "ok"},
+constexpr Table<WaypointStatus, 9> kStatuses{{{WaypointStatus::Ok, "ok"},
                                               {WaypointStatus::Unreachable, "unreachable"},
                                               {WaypointStatus::Hidden, "hidden"},
                                               {WaypointStatus::TooCloseToWall, "too close to wall"},
-                                              {WaypointStatus::OutsideGrid, "outside grid"}}};
+                                              {WaypointStatus::OutsideGrid, "outside grid"},
+                                              {WaypointStatus::TooHigh, "too high"},
+                                              {WaypointStatus::TooNear, "too near"},
+                                              {WaypointStatus::TooFar, "too far"},
+                                              {WaypointStatus::LeftOut, "left out"}}};
 constexpr Table<VisitState, 9> kVisits{{{VisitState::Draft, "draft"},
                                         {VisitState::Sent, "sent"},
                                         {VisitState::Accepted, "accepted"},

@@ -3,10 +3,12 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "core/common/Error.h"
 #include "core/common/Files.h"
+#include "core/detection/DiscrepancyPly.h"
 #include "core/inspection/DiscrepantPoints.h"
 
 namespace fodscope::cli {
@@ -31,11 +33,14 @@ CandidatesFile parsed(const json& root, const std::string& subject) {
     CandidatesFile file;
     file.T_reference_from_map = transformOf(root.at("T_reference_from_map"), subject);
     file.threshold = root.at("settings").at("candidates").at("threshold").get<double>();
+    const json discrepancy = root.at("settings").value("discrepancy", json::object());
+    const double voxelSize_m = discrepancy.value("voxel_size_m", PlanTarget().voxelSize_m);
     for (const json& entry : root.at("candidates")) {
         PlanTarget target;
         target.candidateId = entry.at("id").get<std::string>();
         target.centroid_map = pointOf(entry.at("centroid_map"));
         target.size_m = pointOf(entry.at("size"));
+        target.voxelSize_m = voxelSize_m;
         if (!file.floorHeight_m) {
             file.floorHeight_m =
                 pointOf(entry.at("centroid_reference")).z() - entry.at("height_above_floor").get<double>();
@@ -71,18 +76,28 @@ CandidatesFile readCandidatesFile(const std::filesystem::path& file) {
     }
 }
 
-std::vector<Eigen::Vector3d> discrepantPoints_map(const CandidatesFile& candidates, const std::filesystem::path& file) {
+std::vector<Eigen::Vector3d> addVoxels(CandidatesFile& candidates, const std::filesystem::path& file) {
     std::vector<Eigen::Vector3d> points_map;
     const std::filesystem::path cloud = file.parent_path() / "discrepancy.ply";
-    if (std::filesystem::exists(cloud)) {
-        const Transform T_map_from_reference = candidates.T_reference_from_map.inverse();
-        for (const Eigen::Vector3d& point : readDiscrepantPoints_reference(cloud, candidates.threshold)) {
-            points_map.push_back(T_map_from_reference * point);
+    if (!std::filesystem::exists(cloud)) {
+        for (PlanTarget& target : candidates.targets) {
+            appendDisc(target, points_map);
+            // Which way its length points is not in the file, so it may reach as far across.
+            target.size_m.y() = target.size_m.x();
         }
         return points_map;
     }
-    for (const PlanTarget& target : candidates.targets)
-        appendDisc(target, points_map);
+    const Transform T_map_from_reference = candidates.T_reference_from_map.inverse();
+    std::map<int, PlanTarget*> targetOf;
+    for (PlanTarget& target : candidates.targets)
+        targetOf[candidateNumber(target.candidateId)] = &target;
+    for (const DiscrepantVoxel& voxel : readDiscrepantVoxels(cloud, candidates.threshold)) {
+        points_map.push_back(T_map_from_reference * voxel.point_reference);
+        const auto target = targetOf.find(voxel.candidate);
+        if (voxel.candidate < 0 || target == targetOf.end()) continue;
+        target->second->voxels.emplace_back(points_map.back().x(), points_map.back().y(),
+                                            voxel.point_reference.z() - *candidates.floorHeight_m);
+    }
     return points_map;
 }
 

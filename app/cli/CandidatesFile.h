@@ -22,9 +22,11 @@ struct CandidatesFile {
 /// @throws Error naming the file when it is no candidates file
 CandidatesFile readCandidatesFile(const std::filesystem::path& file);
 
-/// The points that no line of sight may be blocked by: all voxels above the threshold in the `discrepancy.ply` beside
-/// the file, or where that is missing the discs that the candidates cover.
+/// Gives the targets their voxels from the `discrepancy.ply` beside the file. Where that is missing, each is taken for
+/// a box as wide as it is long.
+/// @return the points that no line of sight may be blocked by: all voxels above the threshold, or without that file the
+///         discs that the candidates cover
 /// @throws Error for a `discrepancy.ply` that cannot be read
-std::vector<Eigen::Vector3d> discrepantPoints_map(const CandidatesFile& candidates, const std::filesystem::path& file);
+std::vector<Eigen::Vector3d> addVoxels(CandidatesFile& candidates, const std::filesystem::path& file);
 
 }  // namespace fodscope::cli

@@ -70,6 +70,10 @@ ParameterSearchSettings searchSettingsOf(const GridOptions& options, const Candi
     settings.metric = method.metric;
     settings.linkage = method.linkage;
     settings.centroid = method.centroid;
+    return searchSettingsOver(settings, options);
+}
+
+ParameterSearchSettings searchSettingsOver(ParameterSearchSettings settings, const GridOptions& options) {
     settings.lambda_m = options.lambda_m;
     if (!options.cutoffs.empty()) {
         const Axis axis = axisOf("--cutoffs", options.cutoffs, false);

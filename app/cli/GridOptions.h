@@ -28,4 +28,8 @@ void addGridOptions(CLI::App& command, GridOptions& options);
 /// @throws UsageError for text that is no grid, and for one that means nothing, with all of its problems
 ParameterSearchSettings searchSettingsOf(const GridOptions& options, const CandidateSettings& method);
 
+/// The same over another grid than the paper's where an option is not given.
+/// @throws UsageError as searchSettingsOf() does
+ParameterSearchSettings searchSettingsOver(ParameterSearchSettings settings, const GridOptions& options);
+
 }  // namespace fodscope::cli

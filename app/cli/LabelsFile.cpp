@@ -6,6 +6,7 @@
 
 #include "core/common/Error.h"
 #include "core/common/Files.h"
+#include "core/inspection/PhotoProjection.h"
 
 namespace fodscope::cli {
 namespace {
@@ -52,6 +53,26 @@ void addLabel(PhotoAnswer& answer, const std::string& label, const std::string& 
     if (!comment.empty()) answer.comment += (answer.comment.empty() ? "" : "; ") + comment;
 }
 
+/// The rectangle round a candidate in a photo; empty where the photo does not show it.
+std::optional<PixelBox> boxOf(const std::string& candidateId, const Photo& photo, const DetectionRecord& detection) {
+    const auto& candidates = detection.candidates->candidates;
+    const auto candidate = std::ranges::find(candidates, candidateId, &Candidate::id);
+    if (candidate == candidates.end()) return std::nullopt;
+    const auto hull_px = projectVoxels(voxelsInMap(*candidate, detection), detection.parameters.discrepancy.voxelSize_m,
+                                       photo.T_map_from_camera, photo.intrinsics)
+                             .hull_px;
+    if (hull_px.empty()) return std::nullopt;
+    Eigen::Vector2d low = hull_px.front(), high = hull_px.front();
+    for (const Eigen::Vector2d& corner : hull_px) {
+        low = low.cwiseMin(corner);
+        high = high.cwiseMax(corner);
+    }
+    low = low.cwiseMax(0.0);
+    high = high.cwiseMin(Eigen::Vector2d(photo.intrinsics.width_px, photo.intrinsics.height_px));
+    if (!(low.x() < high.x() && low.y() < high.y())) return std::nullopt;
+    return PixelBox{low.x(), low.y(), high.x() - low.x(), high.y() - low.y()};
+}
+
 }  // namespace
 
 std::map<std::string, PhotoAnswer> readLabels(const std::filesystem::path& file, const LabelSet& labelSet) {
@@ -84,20 +105,26 @@ std::map<std::string, PhotoAnswer> readLabels(const std::filesystem::path& file,
     return answers;
 }
 
-PhotoAnswer answerFor(const Photo& photo, const std::map<std::string, PhotoAnswer>& answers) {
+PhotoAnswer answerFor(const Photo& photo, const std::map<std::string, PhotoAnswer>& answers,
+                      const DetectionRecord& detection) {
     PhotoAnswer combined;
+    const auto isAnswered = [&](const std::string& id) { return answers.contains(id); };
+    if (std::ranges::none_of(photo.candidateIds, isAnswered)) return combined;
+    const bool isShared = photo.candidateIds.size() > 1;
+    const PhotoAnswer unanswered{{{kNotSure, std::nullopt}}, ""};
     for (const std::string& candidate : photo.candidateIds) {
-        const auto found = answers.find(candidate);
-        if (found == answers.end()) continue;
-        for (const PhotoLabel& label : found->second.labels)
-            addLabel(combined, label.label, "");
-        if (!found->second.comment.empty()) {
-            combined.comment += (combined.comment.empty() ? "" : "; ") + found->second.comment;
+        const PhotoAnswer& answer = isAnswered(candidate) ? answers.at(candidate) : unanswered;
+        for (PhotoLabel label : answer.labels) {
+            if (isShared && label.label != kNoFod) label.box = boxOf(candidate, photo, detection);
+            combined.labels.push_back(label);
         }
+        if (!answer.comment.empty()) combined.comment += (combined.comment.empty() ? "" : "; ") + answer.comment;
     }
-    if (combined.labels.size() > 1) {
+    // What is boxed speaks of its own candidate, and is no FOD for the others.
+    if (std::ranges::any_of(combined.labels, [](const PhotoLabel& label) { return label.label != kNoFod; }))
         std::erase_if(combined.labels, [](const PhotoLabel& label) { return label.label == kNoFod; });
-    }
+    else
+        combined.labels.resize(1);
     return combined;
 }
 

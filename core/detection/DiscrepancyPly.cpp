@@ -11,19 +11,11 @@
 namespace fodscope {
 namespace {
 
-/// @return 7 for "C-007"; −1 when the id has no number
-double numberInId(const std::string& id) {
-    const std::size_t first = id.find_first_of("0123456789");
-    int number = -1;
-    if (first != std::string::npos) std::from_chars(id.data() + first, id.data() + id.size(), number);
-    return number;
-}
-
 PlyColumn candidateColumn(const DiscrepancyField& field, const CandidateSet& candidates) {
     PlyColumn column{"candidate", ScalarType::Int32, std::vector<double>(field.size(), -1.0)};
     for (const Candidate& candidate : candidates.candidates) {
         for (const std::uint32_t voxel : candidate.voxels)
-            column.values[voxel] = numberInId(candidate.id);
+            column.values[voxel] = candidateNumber(candidate.id);
     }
     return column;
 }
@@ -54,6 +46,13 @@ void writeDiscrepancyPly(const std::filesystem::path& file, const DiscrepancyFie
     const std::vector<std::string> comments{"Fodscope discrepancy, reference frame, metres",
                                             "discrepancy is " + meaningOf(metric)};
     writePly(file, comments, columns);
+}
+
+int candidateNumber(const std::string& id) {
+    const std::size_t first = id.find_first_of("0123456789");
+    int number = -1;
+    if (first != std::string::npos) std::from_chars(id.data() + first, id.data() + id.size(), number);
+    return number;
 }
 
 }  // namespace fodscope

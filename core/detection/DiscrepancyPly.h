@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "core/detection/Candidates.h"
 #include "core/detection/Discrepancy.h"
@@ -14,5 +15,8 @@ namespace fodscope {
 /// @throws Error when the field has no discrepancy of the metric, or the file cannot be written
 void writeDiscrepancyPly(const std::filesystem::path& file, const DiscrepancyField& field,
                          const CandidateSet& candidates, Metric metric);
+
+/// @return 7 for "C-007"; −1 when the id has no number
+int candidateNumber(const std::string& id);
 
 }  // namespace fodscope

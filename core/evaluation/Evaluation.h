@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -35,6 +36,12 @@ struct PhotoCounts {
     double drive_m = 0.0;
     /// One for each FOD of the trial, in its order.
     std::vector<std::uint8_t> isPhotographed;
+    /// What the drive would be always to the nearest waypoint that is left.
+    double nearestNext_m = 0.0;
+    /// Candidates of which photos show a part only.
+    std::size_t candidatesInPart = 0;
+    /// Why candidates have no waypoint: how many for each reason.
+    std::map<std::string, std::size_t> reasons{};
 };
 
 /// What the program made of a trial's candidates: absent where the map could not be aligned.

@@ -55,7 +55,9 @@ Json jsonOf(const EvaluatedTrial& trial) {
         json["photos"] = {{"photos", trial.photos->photos},
                           {"photos_with_fod", trial.photos->photosWithFod},
                           {"candidates_without_photo", trial.photos->candidatesWithoutPhoto},
-                          {"metres", rounded(trial.photos->drive_m)}};
+                          {"candidates_in_part", trial.photos->candidatesInPart},
+                          {"metres", rounded(trial.photos->drive_m)},
+                          {"metres_nearest_next", rounded(trial.photos->nearestNext_m)}};
     return json;
 }
 
@@ -79,7 +81,10 @@ Json photosOf(const EvaluationSummary& summary) {
             {"photos", photos.photos},
             {"photos_with_fod", photos.photosWithFod},
             {"fods_photographed", photos.fodsPhotographed},
-            {"candidates_without_photo", photos.candidatesWithoutPhoto}};
+            {"candidates_without_photo", photos.candidatesWithoutPhoto},
+            {"candidates_in_part", photos.candidatesInPart},
+            {"reasons_without_waypoint", photos.reasons},
+            {"metres_nearest_next", rounded(photos.nearestNext_m)}};
 }
 
 Json jsonOf(const EvaluationSummary& summary) {

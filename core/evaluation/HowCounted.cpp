@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/evaluation/EvaluationReport.h"
 #include "core/evaluation/Summary.h"
+#include "core/inspection/ReportText.h"
 
 namespace fodscope {
 namespace {
@@ -19,16 +20,35 @@ std::string plain(double value) {
     return text;
 }
 
+/// E.g. ": 3 hidden, 1 unreachable"; what is not among them failed on the drive.
+std::string reasonsOf(const PhotoSummary& photos) {
+    std::string text;
+    std::size_t told = 0;
+    for (const auto& [reason, count] : photos.reasons) {
+        text += (text.empty() ? ": " : ", ") + std::to_string(count) + " " + reason;
+        told += count;
+    }
+    if (told < photos.candidatesWithoutPhoto)
+        text += (text.empty() ? ": " : ", ") + std::to_string(photos.candidatesWithoutPhoto - told) +
+                " whose visit failed";
+    return text;
+}
+
 void sayPhotos(const EvaluationSummary& summary, std::vector<std::string>& lines) {
     if (!summary.photos) return;
     lines.push_back(
-        "Photos: every candidate was visited by the simulated robot in the trial's world. A FOD is on a photo when at "
-        "least 200 of its 1280x720 pixels show it. Precision is photos that show FOD over all photos, recall is FOD on "
-        "at least one photo over all FOD, photos per FOD is all photos over all FOD. The metres are the planned drives "
-        "along the cost map, summed over the trials.");
+        "Photos: every candidate was visited by the simulated robot in the trial's world; one photo may show several "
+        "candidates, and a large candidate may take several photos. A FOD is on a photo when at least 200 of its "
+        "1280x720 pixels show it. Precision is photos that show FOD over all photos, recall is FOD on at least one "
+        "photo over all FOD, photos per FOD is all photos over all FOD. The metres are the planned drives along the "
+        "cost map, summed over the trials; always to the nearest waypoint left, they would be " +
+        fixed(summary.photos->nearestNext_m, 1) + ".");
     if (summary.photos->candidatesWithoutPhoto > 0)
         lines.push_back(std::to_string(summary.photos->candidatesWithoutPhoto) +
-                        " candidates were not photographed: no pose sees them, or the drive failed.");
+                        " candidates were not photographed" + reasonsOf(*summary.photos) + ".");
+    if (summary.photos->candidatesInPart > 0)
+        lines.push_back(std::to_string(summary.photos->candidatesInPart) +
+                        " candidates are on photos only in part: the rest is out of the camera's picture, or hidden.");
 }
 
 }  // namespace

@@ -61,7 +61,11 @@ void summarizePhotos(std::span<const EvaluatedTrial> trials, EvaluationSummary& 
         photos.photos += trial.photos->photos;
         photos.photosWithFod += trial.photos->photosWithFod;
         photos.candidatesWithoutPhoto += trial.photos->candidatesWithoutPhoto;
+        photos.candidatesInPart += trial.photos->candidatesInPart;
+        for (const auto& [reason, count] : trial.photos->reasons)
+            photos.reasons[reason] += count;
         photos.drive_m += trial.photos->drive_m;
+        photos.nearestNext_m += trial.photos->nearestNext_m;
         photos.fodsPhotographed += static_cast<std::size_t>(std::ranges::count(trial.photos->isPhotographed, 1));
     }
     if (taken) summary.photos = photos;

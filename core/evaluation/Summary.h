@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -49,7 +50,10 @@ struct PhotoSummary {
     std::size_t fods = 0;
     std::size_t fodsPhotographed = 0;
     std::size_t candidatesWithoutPhoto = 0;
+    std::size_t candidatesInPart = 0;
+    std::map<std::string, std::size_t> reasons;
     double drive_m = 0.0;
+    double nearestNext_m = 0.0;
 
     /// Share of photos that show FOD; empty without photos.
     std::optional<double> precision() const;

@@ -7,9 +7,14 @@
 
 namespace fodscope {
 
-/// The voxels of a `discrepancy.ply` (see core/detection/DiscrepancyPly.h) whose discrepancy is above a threshold,
-/// reference frame.
+struct DiscrepantVoxel {
+    Eigen::Vector3d point_reference = Eigen::Vector3d::Zero();
+    /// The number in the id of its candidate, −1 for none.
+    int candidate = -1;
+};
+
+/// The voxels of a `discrepancy.ply` (see core/detection/DiscrepancyPly.h) whose discrepancy is above a threshold.
 /// @throws Error when the file is none such
-std::vector<Eigen::Vector3d> readDiscrepantPoints_reference(const std::filesystem::path& file, double threshold);
+std::vector<DiscrepantVoxel> readDiscrepantVoxels(const std::filesystem::path& file, double threshold);
 
 }  // namespace fodscope

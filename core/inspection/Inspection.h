@@ -65,8 +65,11 @@ class Inspection {
     Journal& journal_;
 };
 
-/// The plan's input from a detection: targets of all candidates, in their order.
-std::vector<PlanTarget> planTargets(const CandidateSet& candidates);
+/// The plan's input from a detection: targets of all candidates, in their order. None without candidates.
+std::vector<PlanTarget> planTargets(const DetectionRecord& detection);
+
+/// Every voxel above the threshold, clustered or not: none of them may hide a candidate from the camera.
+std::vector<Eigen::Vector3d> discrepantPoints_map(const DetectionRecord& detection);
 
 /// Plans visits for the candidates of a state on a grid: FOD-less sight map, inflation, flood fill, waypoints, order.
 VisitPlan planInspection(const InspectionState& state, const OccupancyGrid& grid_map, const Pose2& robot_map,

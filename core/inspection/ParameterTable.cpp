@@ -303,15 +303,33 @@ void addCostMap(std::vector<ParameterField>& table) {
                    "how fast the cost falls with distance");
 }
 
+void addCamera(std::vector<ParameterField>& table) {
+    Section section(
+        table, "camera", [](auto& all) -> auto& { return all.camera; });
+    section.whole(&CameraSettings::width_px, "width_px", 16, 16384, "width of a photo in pixels");
+    section.whole(&CameraSettings::height_px, "height_px", 16, 16384, "height of a photo in pixels");
+    section.angle(&CameraSettings::horizontalFieldOfView_rad, "horizontal_field_of_view_deg", 1, 170,
+                  "what a photo shows from its left to its right edge");
+    section.number(&CameraSettings::height_m, "height_m", "m", 0, 10, "height of the lens over the floor");
+    section.angle(&CameraSettings::pitchDown_rad, "pitch_down_deg", -60, 60, "how far the camera looks down");
+    section.number(&CameraSettings::nearLimit_m, "near_limit_m", "m", 0, 10, "what is nearer is not sharp");
+}
+
 void addWaypoints(std::vector<ParameterField>& table) {
     Section section(
         table, "waypoints", [](auto& all) -> auto& { return all.waypoints; });
     section.number(&WaypointSettings::minimumDistance_m, "minimum_distance_m", "m", 0, 100,
-                   "nearest pose to the candidate");
+                   "nearest pose to the candidate's edge");
     section.number(&WaypointSettings::maximumDistance_m, "maximum_distance_m", "m", 0.01, 100,
-                   "farthest pose from the candidate");
+                   "farthest pose from the candidate's edge");
     section.number(&WaypointSettings::closestDistance_m, "closest_distance_m", "m", 0, 100,
                    "a widened ring comes no nearer");
+    section.number(&WaypointSettings::candidateClearance_m, "candidate_clearance_m", "m", 0, 100,
+                   "no pose is nearer to any candidate");
+    section.number(&WaypointSettings::coarsestPixel_m, "coarsest_pixel_m", "m", 0.00001, 1,
+                   "a pixel of the photo covers at most so much of the candidate");
+    section.number(&WaypointSettings::edgeMargin, "edge_margin", "", 0, 0.4,
+                   "share of the photo that stays free along each edge");
     section.number(&WaypointSettings::widening, "widening", "", 0, 1,
                    "share by which the ring is widened when no pose is found");
     section.whole(&WaypointSettings::maximumTries, "maximum_tries", 1, 1000, "rings that are tried");
@@ -322,6 +340,8 @@ void addWaypoints(std::vector<ParameterField>& table) {
                    "step of the poses across the ring");
     section.number(&WaypointSettings::rayStep_cells, "ray_step_cells", "", 0.001, 10,
                    "step along a line of sight, in grid cells");
+    section.choice(&WaypointSettings::order, "order", {"nearest-next", "shortest-tour"},
+                   "visit order: always the nearest waypoint that is left (paper), or the shortest tour found");
 }
 
 void addVisits(std::vector<ParameterField>& table) {
@@ -379,6 +399,7 @@ std::span<const ParameterField> parameterTable() {
         addCoverage(fields);
         addOccupancy(fields);
         addCostMap(fields);
+        addCamera(fields);
         addWaypoints(fields);
         addVisits(fields);
         return fields;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/cloud/OutlierRemoval.h"
+#include "core/common/Camera.h"
 #include "core/coverage/Coverage.h"
 #include "core/detection/Candidates.h"
 #include "core/detection/Discrepancy.h"
@@ -42,6 +43,7 @@ struct Parameters {
     CoverageSettings coverage;
     OccupancySettings occupancy;
     CostMapSettings costMap;
+    CameraSettings camera;
     WaypointSettings waypoints;
     VisitSettings visits;
 

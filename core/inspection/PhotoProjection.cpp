@@ -2,8 +2,8 @@
 #include "core/inspection/PhotoProjection.h"
 
 #include <algorithm>
-#include <opencv2/imgproc.hpp>
 
+#include "core/common/ConvexHull.h"
 #include "core/inspection/InspectionState.h"
 
 namespace fodscope {
@@ -11,15 +11,6 @@ namespace {
 
 /// Nearer points would project to anywhere.
 constexpr double kNearestDepth_m = 0.02;
-
-Eigen::Vector2d pixelOf(const Eigen::Vector3d& point_camera, const CameraIntrinsics& k) {
-    return {k.fx_px * point_camera.x() / point_camera.z() + k.cx_px,
-            k.fy_px * point_camera.y() / point_camera.z() + k.cy_px};
-}
-
-bool isInImage(const Eigen::Vector2d& pixel, const CameraIntrinsics& k) {
-    return pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() < k.width_px && pixel.y() < k.height_px;
-}
 
 }  // namespace
 
@@ -35,19 +26,6 @@ std::vector<Eigen::Vector2d> projectPoints(std::span<const Eigen::Vector3d> poin
     return points_px;
 }
 
-std::vector<Eigen::Vector2d> convexHull(std::span<const Eigen::Vector2d> points_px) {
-    std::vector<cv::Point2f> points;
-    points.reserve(points_px.size());
-    for (const Eigen::Vector2d& point : points_px)
-        points.emplace_back(static_cast<float>(point.x()), static_cast<float>(point.y()));
-    std::vector<cv::Point2f> corners;
-    if (!points.empty()) cv::convexHull(points, corners);
-    std::vector<Eigen::Vector2d> hull;
-    for (const cv::Point2f& corner : corners)
-        hull.emplace_back(corner.x, corner.y);
-    return hull;
-}
-
 ProjectedVoxels projectVoxels(std::span<const Eigen::Vector3d> voxels_map, double voxelSize_m,
                               const Transform& T_map_from_camera, const CameraIntrinsics& intrinsics) {
     ProjectedVoxels projected;
@@ -56,9 +34,6 @@ ProjectedVoxels projectVoxels(std::span<const Eigen::Vector3d> voxels_map, doubl
     std::vector<Eigen::Vector2d> corners_px;
     corners_px.reserve(8 * voxels_map.size());
     for (const Eigen::Vector3d& voxel : voxels_map) {
-        const Eigen::Vector3d centre_camera = T_camera_from_map * voxel;
-        if (centre_camera.z() > kNearestDepth_m && isInImage(pixelOf(centre_camera, intrinsics), intrinsics))
-            ++projected.centresInImage;
         for (int corner = 0; corner < 8; ++corner) {
             const Eigen::Vector3d step((corner & 1) ? half_m : -half_m, (corner & 2) ? half_m : -half_m,
                                        (corner & 4) ? half_m : -half_m);
@@ -68,8 +43,14 @@ ProjectedVoxels projectVoxels(std::span<const Eigen::Vector3d> voxels_map, doubl
             corners_px.push_back(pixelOf(corner_camera, intrinsics));
         }
     }
-    projected.hull_px = convexHull(corners_px);
+    projected.hull_px = convexHull(std::move(corners_px));
     return projected;
+}
+
+bool isInPhoto(const Eigen::Vector3d& point_map, const Transform& T_map_from_camera,
+               const CameraIntrinsics& intrinsics) {
+    const Eigen::Vector3d point_camera = T_map_from_camera.inverse() * point_map;
+    return point_camera.z() > kNearestDepth_m && isInImage(pixelOf(point_camera, intrinsics), intrinsics);
 }
 
 std::vector<Eigen::Vector3d> voxelsInMap(const Candidate& candidate, const DetectionRecord& detection) {

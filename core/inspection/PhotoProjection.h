@@ -19,9 +19,6 @@ struct DetectionRecord;
 std::vector<Eigen::Vector2d> projectPoints(std::span<const Eigen::Vector3d> points_map,
                                            const Transform& T_map_from_camera, const CameraIntrinsics& intrinsics);
 
-/// Convex hull in order round it, to float's precision; fewer than three distinct points come back as they are.
-std::vector<Eigen::Vector2d> convexHull(std::span<const Eigen::Vector2d> points_px);
-
 /// Where voxels lie in a photo.
 struct ProjectedVoxels {
     /// Hull of the projected voxel cubes, not clipped to the image; fewer than three points: not in front of the
@@ -29,12 +26,14 @@ struct ProjectedVoxels {
     std::vector<Eigen::Vector2d> hull_px;
     /// Depth of the nearest corner in front of the camera; infinite without one.
     double nearestDepth_m = std::numeric_limits<double>::infinity();
-    /// Voxels whose centre lies in the image.
-    std::size_t centresInImage = 0;
 };
 
 ProjectedVoxels projectVoxels(std::span<const Eigen::Vector3d> voxels_map, double voxelSize_m,
                               const Transform& T_map_from_camera, const CameraIntrinsics& intrinsics);
+
+/// Whether a point lies before the camera and projects into the photo.
+bool isInPhoto(const Eigen::Vector3d& point_map, const Transform& T_map_from_camera,
+               const CameraIntrinsics& intrinsics);
 
 /// @return the voxels of a candidate in the map frame; none without a field
 std::vector<Eigen::Vector3d> voxelsInMap(const Candidate& candidate, const DetectionRecord& detection);

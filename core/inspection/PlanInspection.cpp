@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+
 #include "core/common/Error.h"
 #include "core/inspection/Inspection.h"
 #include "core/planning/CostMap.h"
 #include "core/planning/OccupancyGrid.h"
 
 namespace fodscope {
-namespace {
-
-/// Every voxel above the threshold, clustered or not: none of them may hide a candidate from the camera.
 std::vector<Eigen::Vector3d> discrepantPoints_map(const DetectionRecord& detection) {
     const CandidateSettings& settings = detection.parameters.candidates;
     const std::vector<double>& discrepancy = detection.field->smoothed(settings.metric);
@@ -20,12 +19,25 @@ std::vector<Eigen::Vector3d> discrepantPoints_map(const DetectionRecord& detecti
     return points_map;
 }
 
-}  // namespace
-
-std::vector<PlanTarget> planTargets(const CandidateSet& candidates) {
+std::vector<PlanTarget> planTargets(const DetectionRecord& detection) {
     std::vector<PlanTarget> targets;
-    for (const Candidate& candidate : candidates.candidates) {
-        targets.push_back({candidate.id, candidate.centroid_map, candidate.size_m});
+    if (!detection.candidates) return targets;
+    const Transform T_map_from_reference = detection.registration.T_reference_from_map.inverse();
+    for (const Candidate& candidate : detection.candidates->candidates) {
+        PlanTarget target{candidate.id, candidate.centroid_map, candidate.size_m, 0.0, {}, 0.0};
+        const Eigen::Vector3d direction =
+            T_map_from_reference.linear() *
+            Eigen::Vector3d(std::cos(candidate.lengthDirection_rad), std::sin(candidate.lengthDirection_rad), 0.0);
+        target.lengthDirection_rad = std::atan2(direction.y(), direction.x());
+        target.voxelSize_m = detection.parameters.discrepancy.voxelSize_m;
+        if (detection.field) {
+            for (const std::uint32_t voxel : candidate.voxels) {
+                const Eigen::Vector3d& point_reference = detection.field->points[voxel];
+                const Eigen::Vector3d point_map = T_map_from_reference * point_reference;
+                target.voxels.emplace_back(point_map.x(), point_map.y(), point_reference.z() - detection.floorHeight_m);
+            }
+        }
+        targets.push_back(std::move(target));
     }
     return targets;
 }
@@ -44,8 +56,8 @@ VisitPlan planInspection(const InspectionState& state, const OccupancyGrid& grid
     floodFill(collision, robot_map);
     progress.report("making the cost map", 0.5);
     const CostMap sight = inflate(withoutCandidates(grid_map, discrepantPoints_map(detection)), parameters.costMap);
-    const std::vector<PlanTarget> targets = planTargets(*detection.candidates);
-    return planVisits(targets, collision, sight, robot_map, parameters.waypoints, progress);
+    const std::vector<PlanTarget> targets = planTargets(detection);
+    return planVisits(targets, collision, sight, robot_map, parameters.waypoints, parameters.camera, progress);
 }
 
 }  // namespace fodscope

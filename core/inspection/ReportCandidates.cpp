@@ -46,6 +46,22 @@ const Waypoint* waypointOf(const InspectionState& state, const std::string& cand
     return found == state.plan->waypoints.end() ? nullptr : &*found;
 }
 
+std::ptrdiff_t photosPlanned(const InspectionState& state, const std::string& candidateId) {
+    if (!state.plan) return 0;
+    return std::ranges::count_if(state.plan->waypoints, [&](const Waypoint& waypoint) {
+        return waypoint.pose_map &&
+               std::ranges::find(waypoint.candidateIds, candidateId) != waypoint.candidateIds.end();
+    });
+}
+
+/// What is to be said where the plan does not show the whole candidate; empty where it does.
+std::string plannedPart(const InspectionState& state, const std::string& candidateId) {
+    if (!state.plan) return {};
+    const auto view = std::ranges::find(state.plan->views, candidateId, &CandidateView::candidateId);
+    if (view == state.plan->views.end() || view->rest == WaypointStatus::Ok || view->share == 0.0) return {};
+    return percent(view->share) + " of it; the rest is " + toString(view->rest);
+}
+
 std::string reasonWithoutPhoto(const InspectionState& state, const std::string& candidateId) {
     const Waypoint* waypoint = waypointOf(state, candidateId);
     if (waypoint == nullptr) return "no visit was planned";
@@ -111,6 +127,8 @@ std::vector<ReportCandidate> reportCandidates(const InspectionState& state) {
         told.labels = joined(verdicts[i].fodLabels, ", ");
         told.verdictText = verdictText(told, anyoneNotSure(state, photos));
         told.fields = fieldsOf(candidate, state.detection->parameters.candidates.metric);
+        if (const std::string part = plannedPart(state, candidate.id); !part.empty())
+            told.fields.push_back({"Planned to be photographed", part});
         for (const Photo* photo : photos) {
             told.photoIds.push_back(photo->id);
         }
@@ -118,7 +136,9 @@ std::vector<ReportCandidate> reportCandidates(const InspectionState& state) {
         if (photos.empty()) {
             told.noPhotoReason = reasonWithoutPhoto(state, candidate.id);
         } else if (told.verdict == Verdict::NotPhotographed) {
-            told.noPhotoReason = "it lies outside the picture that was taken for it";
+            told.noPhotoReason = photosPlanned(state, candidate.id) > 1
+                                     ? "only a part of it was photographed"
+                                     : "it lies outside the picture that was taken for it";
         }
         told.centroid_reference = candidate.centroid_reference;
         list.push_back(std::move(told));

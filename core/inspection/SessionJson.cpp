@@ -113,6 +113,15 @@ Json waypointsJson(const InspectionState& state) {
     return list;
 }
 
+/// How much of each candidate the plan shows.
+Json viewsJson(const InspectionState& state) {
+    Json list = Json::array();
+    if (!state.plan) return list;
+    for (const CandidateView& view : state.plan->views)
+        list.push_back({{"id", view.candidateId}, {"shown", rounded(view.share)}, {"rest", toString(view.rest)}});
+    return list;
+}
+
 Json visitsJson(const InspectionState& state) {
     Json list = Json::array();
     for (const Visit& visit : state.visits) {
@@ -192,8 +201,12 @@ std::string sessionJson(const InspectionState& state) {
     for (const Label& label : state.labelSet.labels) {
         labels.push_back(label.name);
     }
-    Json length;
-    if (state.plan) length = rounded(state.plan->length_m);
+    Json length, nearestNext, shortestTour;
+    if (state.plan) {
+        length = rounded(state.plan->length_m);
+        if (state.plan->nearestNextLength_m) nearestNext = rounded(*state.plan->nearestNextLength_m);
+        if (state.plan->shortestTourLength_m) shortestTour = rounded(*state.plan->shortestTourLength_m);
+    }
     Json root = Json::object();
     root["schema"] = "fodscope.session/1";
     root["inspection"] = headerJson(state.header);
@@ -206,6 +219,9 @@ std::string sessionJson(const InspectionState& state) {
     root["detection"] = detectionJson(state);
     root["waypoints"] = waypointsJson(state);
     root["drive_length_m"] = length;
+    root["nearest_next_length_m"] = nearestNext;
+    root["shortest_tour_length_m"] = shortestTour;
+    root["planned_views"] = viewsJson(state);
     root["visits"] = visitsJson(state);
     root["photos"] = photosJson(state);
     root["label_set"] = {{"name", textOrNull(state.labelSet.name)}, {"labels", labels}};

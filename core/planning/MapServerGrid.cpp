@@ -140,7 +140,7 @@ void requireSaneSize(const std::filesystem::path& image, const std::vector<std::
     const double pixels = size.width * size.height;
     if (!(pixels >= 1.0)) throw Error(image.string(), "the image has no pixels", "give the image of the map");
     if (pixels > kGreatestCellCount) {
-        throw Error(image.string(), "the image has more than 100 million pixels", "give a coarser map");
+        throw Error(image.string(), "the image has more than 25 million pixels", "give a coarser map");
     }
     const std::string end(reinterpret_cast<const char*>(bytes.data()) + bytes.size() - 8, 8);
     const bool isComplete =

@@ -71,7 +71,7 @@ OccupancyGrid unknownGridOver(const Bounds& bounds, const OccupancySettings& set
     const double rows = std::floor(bounds.upper.y() / resolution_m) + margin - firstRow + 1.0;
     if (!(columns * rows <= kGreatestCellCount)) {
         throw Error("occupancy grid",
-                    "the map would need more than 100 million cells at " + std::to_string(resolution_m) + " m",
+                    "the map would need more than 25 million cells at " + std::to_string(resolution_m) + " m",
                     "check that the map is in metres, or take a coarser resolution");
     }
     OccupancyGrid grid;

@@ -44,8 +44,9 @@ struct OccupancyGrid {
     Eigen::Vector2d centreOf(CellIndex index) const;
 };
 
-/// Grids with more cells than this are refused: no tank has them, a broken header does.
-inline constexpr double kGreatestCellCount = 100e6;
+/// Grids with more cells than this are refused: no tank has them (250 × 250 m at 5 cm), a broken header does, and
+/// planning takes some 20 bytes a cell.
+inline constexpr double kGreatestCellCount = 25e6;
 
 /// @throws Error for a grid without cells, whose cells do not fill it, or whose resolution or origin is no number
 void requireUsable(const OccupancyGrid& grid);
@@ -66,7 +67,7 @@ struct OccupancySettings {
 };
 
 /// Grid of an aligned map. The heights are taken in the reference frame, the cells in the map frame.
-/// @throws Error when there are no points or the grid would have more than 100 million cells
+/// @throws Error when there are no points or the grid would have more than 25 million cells
 OccupancyGrid occupancyFromMap(std::span<const Eigen::Vector3d> points_map, const Transform& T_reference_from_map,
                                double floorHeight_m, const OccupancySettings& settings);
 
@@ -77,7 +78,7 @@ OccupancyGrid withoutCandidates(const OccupancyGrid& grid, std::span<const Eigen
 /// Reads a ROS map_server pair: YAML (image, resolution, origin, negate, occupied_thresh, free_thresh, mode) and
 /// PGM/PNG, as map_server's image_loader does: trinary and scale by the thresholds over the pixel's darkness, raw by
 /// the pixel as an occupancy in percent. What is neither over the one nor under the other threshold is unknown.
-/// @throws Error for a missing key or image, sizes over 100 million cells, or numbers out of range
+/// @throws Error for a missing key or image, sizes over 25 million cells, or numbers out of range
 OccupancyGrid readMapServerGrid(const std::filesystem::path& yamlFile);
 
 /// Writes NAME.yaml and NAME.pgm (254 free, 0 occupied, 205 unknown).

@@ -2,77 +2,42 @@
 #include "core/planning/Waypoints.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
-#include "core/common/Error.h"
-#include "core/planning/WaypointSearch.h"
+#include "core/planning/PhotoPlan.h"
+#include "core/planning/PlanChecks.h"
+#include "core/planning/VisitOrder.h"
 
 namespace fodscope {
 namespace {
 
-void requireInRange(const WaypointSettings& settings) {
-    const bool ring = settings.minimumDistance_m > 0.0 && settings.minimumDistance_m <= settings.maximumDistance_m &&
-                      settings.maximumDistance_m <= 100.0 && settings.closestDistance_m >= 0.0;
-    const bool widening = settings.widening >= 0.0 && settings.widening < 1.0 && settings.maximumTries >= 1 &&
-                          settings.maximumTries <= 1000;
-    const bool steps = settings.angleStep_rad >= 1e-3 && settings.distanceStep_m >= 1e-3 &&
-                       settings.rayStep_cells >= 1e-3 && std::isfinite(settings.rayStep_cells) &&
-                       std::isfinite(settings.angleStep_rad) && std::isfinite(settings.distanceStep_m);
-    const bool threshold = settings.costThresholdPercent > 0.0 && settings.costThresholdPercent <= 99.0;
-    if (!ring || !widening || !steps || !threshold) {
-        throw Error(
-            "waypoint settings", "a value is out of range",
-            "give a ring within 100 m whose least distance is not over its greatest, steps of at least 0.001, a "
-            "widening from 0 to under 1, 1 to 1000 tries and a cost threshold over 0 up to 99");
+/// Puts the poses into visit order, with the drives between them.
+void addInOrder(std::span<const PhotoPose> poses, std::span<const PlanTarget> targets, const CostMap& collision,
+                VisitOrder wanted, VisitPlan& plan, Progress& progress) {
+    std::vector<Eigen::Vector2d> places_map{{plan.start_map.x_m, plan.start_map.y_m}};
+    for (const PhotoPose& pose : poses)
+        places_map.emplace_back(pose.pose_map.x_m, pose.pose_map.y_m);
+    const VisitLegs legs(collision, places_map, progress);
+    progress.report("ordering the visits", 0.0);
+    const std::vector<std::size_t> nearest = nearestNextOrder(legs.lengths_m());
+    const std::vector<std::size_t> shortest = shortestOrder(legs.lengths_m());
+    plan.nearestNextLength_m = lengthOf(nearest, legs.lengths_m());
+    plan.shortestTourLength_m = lengthOf(shortest, legs.lengths_m());
+    std::size_t here = 0;
+    for (const std::size_t next : wanted == VisitOrder::NearestNext ? nearest : shortest) {
+        const PhotoPose& pose = poses[next - 1];
+        Waypoint waypoint{"", {}, pose.pose_map, pose.cost, WaypointStatus::Ok, legs.drive(here, next)};
+        for (const std::size_t target : pose.targets)
+            waypoint.candidateIds.push_back(targets[target].candidateId);
+        plan.length_m += waypoint.drive.length_m;
+        plan.waypoints.push_back(std::move(waypoint));
+        here = next;
     }
 }
 
-void requireSameLattice(const CostMap& collision, const CostMap& sight) {
-    requireUsable(collision.grid);
-    requireUsable(sight.grid);
-    const OccupancyGrid& a = collision.grid;
-    const OccupancyGrid& b = sight.grid;
-    if (a.width != b.width || a.height != b.height || a.resolution_m != b.resolution_m ||
-        !(a.origin_map == b.origin_map)) {
-        throw Error("sight cost map", "its lattice differs from the collision cost map's",
-                    "make both from the same grid");
-    }
-    if (collision.costs.size() != a.cells.size() || sight.costs.size() != b.cells.size() ||
-        collision.reachable.size() != a.cells.size()) {
-        throw Error("collision cost map", "it was not inflated and flood filled from the robot's place",
-                    "inflate the grid and flood fill it before planning");
-    }
-}
-
-std::string waypointId(std::size_t number) {
-    const std::string digits = std::to_string(number);
-    return "W-" + std::string(digits.size() < 2 ? 1 : 0, '0') + digits;
-}
-
-/// Moves the reachable waypoints into the plan, each time the one with the shortest way from the last place.
-void orderVisits(std::vector<Waypoint>& open, const CostMap& collision, VisitPlan& plan, Progress& progress) {
-    Eigen::Vector2d place(plan.start_map.x_m, plan.start_map.y_m);
-    const double count = static_cast<double>(open.size());
-    while (!open.empty()) {
-        progress.report("ordering the visits", 1.0 - static_cast<double>(open.size()) / count);
-        const TravelField field(collision, place);
-        std::size_t nearest = 0;
-        double nearestDistance_m = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < open.size(); ++i) {
-            const auto distance_m = field.distanceTo({open[i].pose_map->x_m, open[i].pose_map->y_m});
-            if (!distance_m || *distance_m >= nearestDistance_m) continue;
-            nearest = i;
-            nearestDistance_m = *distance_m;
-        }
-        if (!std::isfinite(nearestDistance_m)) return;
-        Waypoint next = std::move(open[nearest]);
-        open.erase(open.begin() + static_cast<std::ptrdiff_t>(nearest));
-        place = {next.pose_map->x_m, next.pose_map->y_m};
-        next.drive = *field.pathTo(place);
-        plan.length_m += next.drive.length_m;
-        plan.waypoints.push_back(std::move(next));
-    }
+/// Whether the robot gets from its place to where the flood fill says it does: they may have begun at different places.
+bool startsOnTheFloodedFloor(const CostMap& collision, const Pose2& robot_map) {
+    const auto start = nearestPassableCell(collision, {robot_map.x_m, robot_map.y_m}, kStartTolerance_m);
+    return start && collision.isReachable(*start);
 }
 
 }  // namespace
@@ -89,33 +54,38 @@ std::string toString(WaypointStatus status) {
             return "too close to a wall";
         case WaypointStatus::OutsideGrid:
             return "outside the grid";
+        case WaypointStatus::TooHigh:
+            return "too high for the camera";
+        case WaypointStatus::TooNear:
+            return "too near for the camera";
+        case WaypointStatus::TooFar:
+            return "too far for the camera";
+        case WaypointStatus::LeftOut:
+            return "left out by the operator";
     }
     return "unknown";
 }
 
 VisitPlan planVisits(std::span<const PlanTarget> targets, const CostMap& collision, const CostMap& sight,
-                     const Pose2& robot_map, const WaypointSettings& settings, Progress& progress) {
+                     const Pose2& robot_map, const WaypointSettings& settings, const CameraSettings& camera,
+                     Progress& progress) {
     requireInRange(settings);
     requireSameLattice(collision, sight);
     VisitPlan plan;
     plan.start_map = robot_map;
-    std::vector<Waypoint> open;
-    std::vector<Waypoint> without;
-    for (std::size_t i = 0; i < targets.size(); ++i) {
-        progress.report("choosing waypoints", static_cast<double>(i) / static_cast<double>(targets.size()));
-        const WaypointChoice choice = chooseWaypoint(targets[i], collision, sight, settings);
-        Waypoint waypoint{"", {targets[i].candidateId}, choice.pose_map, choice.cost, choice.status, {}};
-        (choice.pose_map ? open : without).push_back(std::move(waypoint));
+    progress.throwIfCancelled();
+    const SearchFloor floor(collision, sight, targets, settings);
+    PhotoPlan photos = planPhotos(targets, floor, CameraFit(camera, settings), settings, progress);
+    plan.views = std::move(photos.views);
+    if (!startsOnTheFloodedFloor(collision, robot_map)) {
+        for (CandidateView& view : plan.views)
+            if (view.share > 0.0) view = {view.candidateId, 0.0, WaypointStatus::Unreachable};
+        photos.poses.clear();
     }
-    orderVisits(open, collision, plan, progress);
-    // Left over when the robot's place is not the one that the flood fill began at.
-    for (Waypoint& waypoint : open) {
-        waypoint.pose_map.reset();
-        waypoint.cost = 0.0;
-        waypoint.status = WaypointStatus::Unreachable;
-        plan.waypoints.push_back(std::move(waypoint));
+    addInOrder(photos.poses, targets, collision, settings.order, plan, progress);
+    for (const CandidateView& view : plan.views) {
+        if (view.share == 0.0) plan.waypoints.push_back({"", {view.candidateId}, std::nullopt, 0.0, view.rest, {}});
     }
-    std::move(without.begin(), without.end(), std::back_inserter(plan.waypoints));
     for (std::size_t i = 0; i < plan.waypoints.size(); ++i)
         plan.waypoints[i].id = waypointId(i + 1);
     return plan;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "core/planning/Waypoints.h"
@@ -23,10 +24,25 @@ std::string waypointsJson(const VisitPlan& plan) {
         entry["status"] = toString(waypoint.status);
         waypoints.push_back(std::move(entry));
     }
+    Json candidates = Json::array();
+    for (const CandidateView& view : plan.views) {
+        Json ids = Json::array();
+        for (const Waypoint& waypoint : plan.waypoints) {
+            if (waypoint.pose_map &&
+                std::ranges::find(waypoint.candidateIds, view.candidateId) != waypoint.candidateIds.end())
+                ids.push_back(waypoint.id);
+        }
+        candidates.push_back(
+            {{"id", view.candidateId}, {"waypoints", ids}, {"shown", view.share}, {"rest", toString(view.rest)}});
+    }
+    const auto orNull = [](const std::optional<double>& length_m) { return length_m ? Json(*length_m) : Json(); };
     Json file;
     file["schema"] = "fodscope.waypoints/1";
     file["waypoints"] = std::move(waypoints);
     file["length_m"] = plan.length_m;
+    file["nearest_next_m"] = orNull(plan.nearestNextLength_m);
+    file["shortest_tour_m"] = orNull(plan.shortestTourLength_m);
+    file["candidates"] = std::move(candidates);
     return file.dump(2) + "\n";
 }
 

@@ -5,22 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "core/common/Geometry.h"
+#include "core/common/Camera.h"
 #include "core/common/UtcTime.h"
 
 namespace fodscope {
-
-/// A pinhole without distortion, pixels.
-struct CameraIntrinsics {
-    int width_px = 0;
-    int height_px = 0;
-    double fx_px = 0.0;
-    double fy_px = 0.0;
-    double cx_px = 0.0;
-    double cy_px = 0.0;
-
-    bool operator==(const CameraIntrinsics&) const = default;
-};
 
 /// A photo as the robot sent it. The bytes are never changed.
 struct Photo {

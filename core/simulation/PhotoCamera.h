@@ -4,27 +4,17 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/common/Camera.h"
 #include "core/common/Progress.h"
-#include "core/robot/Photo.h"
 #include "core/simulation/Raycaster.h"
 
 namespace fodscope {
 
-/// The photo camera: 1280×720, 69° across, 0.20 m over the floor, 5° down, with a headlight.
-struct PhotoCameraSettings {
-    int width_px = 1280;
-    int height_px = 720;
-    double horizontalFieldOfView_rad = 1.2043;
-    double height_m = 0.20;
-    double pitchDown_rad = 0.0873;
+/// The photo camera with a headlight.
+struct PhotoCameraSettings : CameraSettings {
     /// Of the image noise; paint and rust belong to the world.
     std::uint64_t seed = 1;
 };
-
-CameraIntrinsics intrinsicsOf(const PhotoCameraSettings& settings);
-
-/// @return the camera's optical frame for a robot standing at `robot`, in the robot's frame of reference
-Transform cameraPose(const Pose2& robot, const PhotoCameraSettings& settings);
 
 /// A colour image as JPEG: headlight with distance and angle fall-off, paint, rust, noise.
 /// @throws Cancelled within a few rows of the image

@@ -28,6 +28,13 @@ struct SimulatedRobotSettings {
     std::function<bool()> isWaitOver;
 };
 
+/// The usual robot with this camera.
+inline SimulatedRobotSettings robotWith(const CameraSettings& camera) {
+    SimulatedRobotSettings settings;
+    settings.camera = PhotoCameraSettings{camera};
+    return settings;
+}
+
 /// A robot that behaves: it confirms goals, drives the cost map's paths at a robot's speed and takes photos of the
 /// world. Map and grid are answered when they were given to it, or the map when it has made one itself.
 /// It starts where the world says, and takes photos while it stands. Connect it first.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/common/ConvexHull.h"
 #include "core/inspection/PhotoProjection.h"
 
 namespace fodscope {

@@ -83,6 +83,17 @@ const Visit* visitToTell(const std::vector<Visit>& visits) {
     return told;
 }
 
+QString metres(double length_m) {
+    return QObject::tr("%1 m").arg(QString::number(length_m, 'f', 1));
+}
+
+/// The length of the route, and what the other order would make of it.
+QString routeText(const VisitPlan& plan) {
+    if (!plan.nearestNextLength_m || !plan.shortestTourLength_m) return metres(plan.length_m);
+    return QObject::tr("%1 (nearest next %2, shortest tour %3)")
+        .arg(metres(plan.length_m), metres(*plan.nearestNextLength_m), metres(*plan.shortestTourLength_m));
+}
+
 QString joined(const std::vector<std::string>& ids) {
     QStringList words;
     for (const std::string& id : ids)
@@ -243,7 +254,7 @@ void VisitPanel::refreshPlan() {
         planHint_->setText(!hasCandidates ? tr("There are no candidates to visit yet: find them in step 3.")
                            : state.detection->candidates->candidates.empty()
                                ? tr("No candidate is above the threshold, so there is nothing to visit.")
-                               : tr("A pose to photograph each candidate from, in the order of the shortest drive."));
+                               : tr("Poses to photograph the candidates from, as few as possible."));
         return;
     }
     const auto reachable =
@@ -251,7 +262,7 @@ void VisitPanel::refreshPlan() {
     planFields_->setFields(
         {{tr("Waypoints"), QString::number(reachable)},
          {tr("Without one"), QString::number(static_cast<int>(state.plan->waypoints.size()) - reachable)},
-         {tr("Route"), tr("%1 m").arg(QString::number(state.plan->length_m, 'f', 1))}});
+         {tr("Route"), routeText(*state.plan)}});
 }
 
 void VisitPanel::refreshVisits() {

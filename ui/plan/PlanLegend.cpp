@@ -108,7 +108,7 @@ void addCandidateEntries(const PlanScene& scene, const Theme& theme, std::vector
     if (has([](const PlanCandidate& each) { return each.verdict == Verdict::NoFod; })) {
         add(QObject::tr("no FOD"), Verdict::NoFod, false);
     }
-    if (has([](const PlanCandidate& each) { return !each.noWaypointReason.empty(); })) {
+    if (has([](const PlanCandidate& each) { return !each.noWaypointReason.empty() && each.plannedShare == 0.0; })) {
         add(QObject::tr("no waypoint"), Verdict::Undecided, true);
     }
 }

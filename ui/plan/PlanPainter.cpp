@@ -141,7 +141,7 @@ void paintCandidates(QPainter& painter, const QRectF& area, const PlanScene& sce
                                  candidateColour(id),
                                  candidate.verdict,
                                  candidate.id == look.selectedCandidate,
-                                 !candidate.noWaypointReason.empty()};
+                                 !candidate.noWaypointReason.empty() && candidate.plannedShare == 0.0};
         paintCandidateSign(painter, sign, look.theme);
         if (!area.contains(centre)) continue;
         const QSizeF size(metrics.horizontalAdvance(id) + 8.0, metrics.height() + 2.0);

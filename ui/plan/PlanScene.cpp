@@ -62,12 +62,19 @@ void addWaypoints(const VisitPlan& plan, PlanScene& scene) {
         item.drive_map = waypoint.drive.points_map;
         scene.waypoints.push_back(std::move(item));
     }
+    for (PlanCandidate& candidate : scene.candidates) {
+        const auto view = std::ranges::find(plan.views, candidate.id, &CandidateView::candidateId);
+        if (view == plan.views.end()) continue;
+        candidate.plannedShare = view->share;
+        candidate.noWaypointReason = view->rest == WaypointStatus::Ok ? std::string() : toString(view->rest);
+    }
 }
 
 }  // namespace
 
 PlanScene planScene(const InspectionState& state) {
     PlanScene scene;
+    scene.viewAngle_rad = state.parameters.camera.horizontalFieldOfView_rad;
     scene.costMap = makeCostMap(state);
     scene.candidates = makeCandidates(state);
     if (state.plan) addWaypoints(*state.plan, scene);

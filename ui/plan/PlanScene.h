@@ -21,8 +21,10 @@ struct PlanCandidate {
     /// Half of the diagonal of its footprint, metres.
     double radius_m = 0.05;
     Verdict verdict = Verdict::NotPhotographed;
-    /// Why no waypoint photographs it; empty when one does, or when nothing is planned yet.
+    /// Why no waypoint photographs it, or not all of it; empty when all of it is, or when nothing is planned yet.
     std::string noWaypointReason;
+    /// Share of it that the plan's photos show; 0 without a plan.
+    double plannedShare = 0.0;
 };
 
 struct PlanWaypoint {
@@ -57,7 +59,7 @@ struct PlanScene {
     /// A route whose poses can be moved; without candidates.
     bool isRoute = false;
     /// The photo camera's view.
-    double viewAngle_rad = 1.2043;
+    double viewAngle_rad = CameraSettings().horizontalFieldOfView_rad;
     double viewRange_m = 0.75;
 };
 

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QStringList>
 #include <algorithm>
+#include <cmath>
 
 namespace fodscope {
 
@@ -13,7 +14,11 @@ QString candidateWords(const PlanCandidate& candidate, const PlanScene& scene) {
     QStringList lines{QObject::tr("%1 · %2").arg(QString::fromStdString(candidate.id),
                                                  QString::fromStdString(toString(candidate.verdict)))};
     if (!candidate.noWaypointReason.empty()) {
-        lines << QObject::tr("No waypoint: %1").arg(reasonInWords(candidate.noWaypointReason));
+        lines << (candidate.plannedShare > 0.0
+                      ? QObject::tr("Only %1 % of it is photographed: %2")
+                            .arg(std::floor(100.0 * candidate.plannedShare))
+                            .arg(reasonInWords(candidate.noWaypointReason))
+                      : QObject::tr("No waypoint: %1").arg(reasonInWords(candidate.noWaypointReason)));
     }
     for (const PlanWaypoint& waypoint : scene.waypoints) {
         const auto& ids = waypoint.candidateIds;
@@ -63,6 +68,13 @@ QString reasonInWords(const std::string& waypointStatus) {
         return QObject::tr("every place to see it from is too close to an obstacle");
     }
     if (waypointStatus == toString(WaypointStatus::OutsideGrid)) return QObject::tr("it lies outside the grid");
+    if (waypointStatus == toString(WaypointStatus::TooHigh))
+        return QObject::tr("it rises out of the camera's picture from every place in reach");
+    if (waypointStatus == toString(WaypointStatus::TooNear))
+        return QObject::tr("it does not fit into the camera's picture from any place in reach");
+    if (waypointStatus == toString(WaypointStatus::TooFar))
+        return QObject::tr("it is too small in the camera's picture from every place in reach");
+    if (waypointStatus == toString(WaypointStatus::LeftOut)) return QObject::tr("the operator left it out");
     return QString::fromStdString(waypointStatus);
 }
 

@@ -25,7 +25,7 @@ void InspectionController::createBuiltinTank(const QString& file) {
 void InspectionController::adoptBuiltinRobot(const BuiltinInspection& builtin) {
     world_ = builtin.world;
     connectRobot(makeSimulatedRobot(builtin.world, builtin.grid_map, builtin.map.map.cloud, state().parameters.costMap,
-                                    SimulatedRobotSettings{}));
+                                    robotWith(state().parameters.camera)));
 }
 
 void InspectionController::connectBuiltinRobot() {

@@ -94,7 +94,8 @@ void InspectionController::connectWorldRobot(const QString& worldFile) {
                const OccupancyGrid grid = makeGrid(sources);
                return [this, world, grid, map = sources.map] {
                    world_ = world;
-                   connectRobot(makeSimulatedRobot(world, grid, map, state().parameters.costMap, {}));
+                   connectRobot(makeSimulatedRobot(world, grid, map, state().parameters.costMap,
+                                                   robotWith(state().parameters.camera)));
                };
            });
 }

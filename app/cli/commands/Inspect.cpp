@@ -39,15 +39,26 @@ std::filesystem::path worldFileFor(const Options& options) {
 }
 
 AutomaticLabeller labellerFor(const Options& options, const std::shared_ptr<const World>& world,
-                              const LabelSet& labelSet, const CandidateSet& candidates) {
+                              const LabelSet& labelSet, const DetectionRecord& detection) {
     if (options.labels.empty()) {
         const auto truth = std::make_shared<GroundTruthLabeller>(world, options.world == "builtin");
         return {truth->name(), [truth, labelSet](const Photo& photo) { return truth->answer(photo, labelSet); }};
     }
     const auto answers = readLabels(options.labels, labelSet);
-    requireKnownCandidates(answers, candidates, options.labels);
+    requireKnownCandidates(answers, *detection.candidates, options.labels);
     return {std::filesystem::path(options.labels).filename().string(),
-            [answers](const Photo& photo) { return answerFor(photo, answers); }};
+            [answers, detection](const Photo& photo) { return answerFor(photo, answers, detection); }};
+}
+
+DetectionRecord recordOf(const DetectionRun& run) {
+    DetectionRecord record;
+    record.parameters = run.parameters;
+    record.registration = run.result.registration;
+    record.floorHeight_m = run.result.floorHeight_m;
+    record.field = run.result.field;
+    record.candidates = run.result.candidates;
+    record.coverage = run.result.coverage;
+    return record;
 }
 
 OccupancyGrid gridFor(const Options& options, const DetectionRun& run) {
@@ -91,8 +102,8 @@ void execute(const Options& options, Context& context) {
     const DetectionRun run = runDetection(options.detection, context, AfterDetection::KeepMap);
     requireTrustedAlignment(run, options.detection.map);
     const OccupancyGrid grid_map = gridFor(options, run);
-    const AutomaticLabeller labeller = labellerFor(options, world, labelSet, *run.result.candidates);
-    SimulatedRobotSettings robotSettings;
+    const AutomaticLabeller labeller = labellerFor(options, world, labelSet, recordOf(run));
+    SimulatedRobotSettings robotSettings = robotWith(run.parameters.camera);
     robotSettings.waitForRendering = true;
     robotSettings.isWaitOver = [&context] { return context.progress.isCancelled(); };
     const std::unique_ptr<RobotLink> robot =

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <ostream>
 
@@ -33,28 +34,40 @@ OccupancyGrid gridFor(const Options& options, const CandidatesFile& candidates, 
     });
 }
 
-VisitPlan planFor(const Options& options, const CandidatesFile& candidates, const Pose2& robot_map, Context& context) {
+VisitPlan planFor(const Options& options, CandidatesFile& candidates, const Pose2& robot_map, Context& context) {
     const Parameters parameters = parametersOf(options.parameters);
     const OccupancyGrid grid = gridFor(options, candidates, parameters, context);
     CostMap collision = inflate(grid, parameters.costMap);
     floodFill(collision, robot_map);
-    const std::vector<Eigen::Vector3d> discrepant_map = discrepantPoints_map(candidates, options.candidates);
+    const std::vector<Eigen::Vector3d> discrepant_map = addVoxels(candidates, options.candidates);
     const CostMap sight = inflate(withoutCandidates(grid, discrepant_map), parameters.costMap);
-    return planVisits(candidates.targets, collision, sight, robot_map, parameters.waypoints, context.progress);
+    return planVisits(candidates.targets, collision, sight, robot_map, parameters.waypoints, parameters.camera,
+                      context.progress);
+}
+
+void tell(const VisitPlan& plan, const std::string& file, Context& context) {
+    const auto photos = std::ranges::count_if(plan.waypoints, [](const Waypoint& w) { return w.pose_map.has_value(); });
+    context.out << file << ": " << photos << " waypoints for " << plan.views.size() << " candidates, " << plan.length_m
+                << " m\n";
+    if (plan.nearestNextLength_m && plan.shortestTourLength_m)
+        context.out << "nearest next: " << *plan.nearestNextLength_m
+                    << " m, shortest tour: " << *plan.shortestTourLength_m << " m\n";
+    for (const CandidateView& view : plan.views) {
+        if (view.rest == WaypointStatus::Ok) continue;
+        context.out << view.candidateId << ": "
+                    << (view.share > 0.0 ? "a part of it has no waypoint: " : "no waypoint: ") << toString(view.rest)
+                    << "\n";
+    }
 }
 
 void execute(const Options& options, Context& context) {
     const Pose2 robot_map = parsePose(options.robot);
-    const CandidatesFile candidates = readCandidatesFile(options.candidates);
+    CandidatesFile candidates = readCandidatesFile(options.candidates);
     VisitPlan plan;
     plan.start_map = robot_map;
     if (!candidates.targets.empty()) plan = planFor(options, candidates, robot_map, context);
     writeFile(options.out, waypointsJson(plan));
-    std::size_t reachable = 0;
-    for (const Waypoint& waypoint : plan.waypoints)
-        reachable += waypoint.pose_map ? 1 : 0;
-    context.out << options.out << ": " << reachable << " waypoints for " << candidates.targets.size() << " candidates, "
-                << plan.length_m << " m\n";
+    tell(plan, options.out, context);
 }
 
 }  // namespace

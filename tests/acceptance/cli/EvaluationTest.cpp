@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sched.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -115,7 +116,8 @@ TEST_F(Evaluate, CountsWhatTheDetectionFoundInSimulatedTrialsAndPhotographsIt) {
                 photos["photos_with_fod"].get<double>() / photos["photos"].get<double>(), 1e-6);
     EXPECT_NEAR(photos["photos_per_fod"].get<double>(), photos["photos"].get<double>() / static_cast<double>(fods),
                 1e-6);
-    EXPECT_LE(photos["photos"].get<std::size_t>() + photos["candidates_without_photo"].get<std::size_t>(), candidates);
+    EXPECT_LE(photos["candidates_without_photo"].get<std::size_t>(), candidates);
+    EXPECT_GE(photos["metres_nearest_next"].get<double>(), photos["metres"].get<double>());
     EXPECT_THAT(outcome.out, HasSubstr("How it was counted"));
     EXPECT_THAT(outcome.out, HasSubstr("FOD on at least one photo"));
 }
@@ -168,6 +170,93 @@ TEST_F(Evaluate, RefusesAWorldThatIsNotTheTrials) {
     expectRefused(runCli(evaluate("e.json", {"--photos", "--worlds", swapped.path().string()})),
                   "which the trial's ground truth lists");
     EXPECT_FALSE(std::filesystem::exists(folder_ / "e.json"));
+}
+
+std::vector<std::string> tunePhotos(const TestFolder& folder, const std::string& recall, const std::string& out) {
+    return {"tune",
+            "--objective",
+            "photos",
+            "--recall",
+            recall,
+            "--reference",
+            builtinTrials().reference(),
+            "--trials",
+            builtinTrials().trials(),
+            "--worlds",
+            builtinTrials().worlds(),
+            "--cutoffs",
+            "0.15,0.345,2",
+            "--thresholds",
+            "2.4,3.4,3",
+            "--least-points",
+            "0,2",
+            "--curve",
+            (folder / (out + ".json")).string(),
+            "--out",
+            (folder / (out + ".yaml")).string()};
+}
+
+TEST_F(Evaluate, TheFewestPhotosAtARecallAreThoseThatAnEvaluationTakesThere) {
+    const Outcome tuned = runCli(tunePhotos(folder_, "0.3", "a"));
+    expectDone(tuned);
+    EXPECT_THAT(tuned.out, HasSubstr("Fewest photos at a recall of at least 0.300: threshold "));
+    const json curve = readJson(folder_ / "a.json");
+    EXPECT_EQ(curve["schema"], "fodscope.photo-search/1");
+    EXPECT_EQ(curve["grid_points"], 18);
+    const json& best = curve["best"];
+    EXPECT_GE(best["recall"].get<double>(), 0.3);
+    double recall = -1.0;
+    std::size_t photos = 0;
+    for (const json& point : curve["curve"]) {
+        EXPECT_GT(point["recall"].get<double>(), recall);
+        EXPECT_GE(point["photos"].get<std::size_t>(), photos);
+        recall = point["recall"];
+        photos = point["photos"];
+        if (point["recall"].get<double>() >= 0.3) {
+            EXPECT_GE(point["photos"], best["photos"]);
+        }
+    }
+    // The parameter file it wrote, in the whole program: driven, photographed and counted.
+    expectDone(runCli(evaluate(
+        "e.json", {"--photos", "--worlds", builtinTrials().worlds(), "--params", (folder_ / "a.yaml").string()})));
+    const json counted = readJson(folder_ / "e.json")["summary"];
+    EXPECT_EQ(counted["total_candidates"], best["candidates"]);
+    EXPECT_EQ(counted["photos"]["photos"], best["photos"]);
+    EXPECT_EQ(counted["photos"]["photos_with_fod"], best["photos_with_fod"]);
+    EXPECT_EQ(counted["photos"]["fods_photographed"], best["fods_shown"]);
+    EXPECT_EQ(counted["photos"]["candidates_without_photo"], best["candidates_without_photo"]);
+
+    expectDone(runCli(tunePhotos(folder_, "0.3", "b")));
+    EXPECT_EQ(readTextFile(folder_ / "a.json"), readTextFile(folder_ / "b.json"));
+    EXPECT_EQ(readTextFile(folder_ / "a.yaml"), readTextFile(folder_ / "b.yaml"));
+}
+
+TEST_F(Evaluate, ARecallOutOfReachIsToldWithWhatCanBeReached) {
+    std::vector<std::string> arguments = tunePhotos(folder_, "1", "a");
+    const auto thresholds = std::ranges::find(arguments, "2.4,3.4,3");
+    *thresholds = "80,90,2";
+    expectRefused(runCli(arguments), "No grid point shows as many FOD as a recall of 1.000 asks for");
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "a.yaml"));
+    EXPECT_TRUE(readJson(folder_ / "a.json")["best"].is_null());
+}
+
+TEST_F(Evaluate, PhotosAreSearchedForWithAWorldAndARecallOnly) {
+    const std::vector<std::string> whole = tunePhotos(folder_, "0.5", "a");
+    for (const char* option : {"--recall", "--worlds"}) {
+        std::vector<std::string> arguments = whole;
+        const auto at = std::ranges::find(arguments, option);
+        arguments.erase(at, at + 2);
+        EXPECT_EQ(runCli(arguments).exitCode, 2) << option;
+    }
+    std::vector<std::string> paper = whole;
+    *std::ranges::find(paper, "photos") = "cost";
+    EXPECT_EQ(runCli(paper).exitCode, 2);
+    Program program(whole);
+    while (program.isRunning() && !program.hearsInterrupts())
+        sched_yield();
+    program.interrupt();
+    EXPECT_EQ(program.wait().exitCode, 3);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "a.yaml"));
 }
 
 TEST_F(Evaluate, AnInterruptEndsItAndLeavesNothingBehind) {

@@ -87,6 +87,55 @@ TEST_F(BoxOwners, ReadersWhoSeeDifferentToolsAtTheSamePlaceLeaveItOpen) {
     EXPECT_EQ(verdict(1), Verdict::Open);
 }
 
+TEST_F(BoxOwners, ABoxRoundOneOfTwoNeighboursIsNotAboutTheOther) {
+    // Squares of 100 pixels side by side, both subjects of the photo.
+    auto field = std::make_shared<DiscrepancyField>();
+    field->points = {{0.0, 0.0, 1.0}, {0.22, 0.0, 1.0}};
+    state_.detection->field = field;
+    state_.detection->parameters.discrepancy.voxelSize_m = 0.2;
+    auto set = std::make_shared<CandidateSet>(*state_.detection->candidates);
+    set->candidates.resize(2);
+    state_.detection->candidates = set;
+    state_.photos[0].candidateIds = {"C-001", "C-002"};
+    decide("drill", PixelBox{260, 180, 125, 120});
+    EXPECT_EQ(verdict(1), Verdict::Finding);
+    EXPECT_EQ(verdict(2), Verdict::NoFod);
+    decide("drill", PixelBox{260, 180, 240, 120});
+    EXPECT_EQ(verdict(2), Verdict::Finding) << "it is about both when it goes round both";
+}
+
+TEST_F(BoxOwners, ACandidateShownInPartsIsClearedOnAllOfThemAndNotOnOne) {
+    auto field = std::make_shared<DiscrepancyField>();
+    for (int i = 0; i < 20; ++i)
+        field->points.push_back({0.1 * i, 0.0, 1.0});
+    state_.detection->field = field;
+    auto set = std::make_shared<CandidateSet>();
+    set->candidates.resize(1);
+    set->candidates[0].id = "C-001";
+    for (std::uint32_t i = 0; i < 20; ++i)
+        set->candidates[0].voxels.push_back(i);
+    state_.detection->candidates = set;
+    VisitPlan plan;
+    for (const char* id : {"W-01", "W-02"})
+        plan.waypoints.push_back({id, {"C-001"}, Pose2{}, 0.0, WaypointStatus::Ok, {}});
+    plan.views = {{"C-001", 1.0, WaypointStatus::Ok}};
+    state_.plan = plan;
+    // The photo of the first shows 13 of the 20; that of the second, 1.3 m to the right, the others.
+    state_.photos[0].intrinsics.cx_px = 5.0;
+    decide(kNoFod, std::nullopt);
+    EXPECT_EQ(verdict(1), Verdict::NotPhotographed) << "a third of it was never looked at";
+    Photo second = state_.photos[0];
+    second.id = "P-002";
+    second.T_map_from_camera.translation().x() = 1.3;
+    state_.photos.push_back(second);
+    EXPECT_EQ(verdict(1), Verdict::Undecided);
+    decide(kNoFod, std::nullopt);
+    state_.decisions.back().photoId = "P-002";
+    EXPECT_EQ(verdict(1), Verdict::NoFod);
+    decide("drill", std::nullopt);
+    EXPECT_EQ(verdict(1), Verdict::Finding);
+}
+
 TEST_F(BoxOwners, ACameraThatLookedPastTheCandidateDoesNotClearIt) {
     auto field = std::make_shared<DiscrepancyField>(*state_.detection->field);
     field->points[0] = {0.0, -0.9, 1.0};  // 450 pixels above the middle of a picture that ends at 240

@@ -135,7 +135,7 @@ std::size_t keysIn(const std::string& section) {
 TEST(Parameters, TheTableKnowsEveryField) {
     const Parameters all = paper();
     const auto& [reference, denoise, registration, discrepancy, chiSquare, candidates, coverage, occupancy, costMap,
-                 waypoints, visits] = all;
+                 camera, waypoints, visits] = all;
     {
         [[maybe_unused]] const auto& [a, b, c, covariance] = reference;
         [[maybe_unused]] const auto& [smoothing, d, e] = covariance;
@@ -176,8 +176,12 @@ TEST(Parameters, TheTableKnowsEveryField) {
         EXPECT_EQ(keysIn("cost_map"), 3U);
     }
     {
-        [[maybe_unused]] const auto& [a, b, c, d, e, f, g, h, i] = waypoints;
-        EXPECT_EQ(keysIn("waypoints"), 9U);
+        [[maybe_unused]] const auto& [a, b, c, d, e, f] = camera;
+        EXPECT_EQ(keysIn("camera"), 6U);
+    }
+    {
+        [[maybe_unused]] const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = waypoints;
+        EXPECT_EQ(keysIn("waypoints"), 13U);
     }
     {
         [[maybe_unused]] const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = visits;

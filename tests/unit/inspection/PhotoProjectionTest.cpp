@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "core/common/ConvexHull.h"
 #include "core/inspection/PhotoProjection.h"
 
 #include <gtest/gtest.h>
@@ -42,12 +43,14 @@ TEST(ConvexHull, KeepsTheCornersOnly) {
     EXPECT_EQ(convexHull(Points{}).size(), 0U);
 }
 
-TEST(ProjectVoxels, TellsTheNearestCornerAndHowManyLieInTheImage) {
+TEST(ProjectVoxels, TellsTheNearestCornerAndWhichLieInTheImage) {
     // Straight ahead at 2 m; far to the right, outside the image; behind.
     const std::vector<Eigen::Vector3d> voxels{{0, 0, 2}, {5, 0, 3}, {0, 0, -2}};
     const ProjectedVoxels projected = projectVoxels(voxels, 0.2, Transform::Identity(), camera());
     EXPECT_NEAR(projected.nearestDepth_m, 1.9, 1e-12);
-    EXPECT_EQ(projected.centresInImage, 1U);
+    EXPECT_TRUE(isInPhoto(voxels[0], Transform::Identity(), camera()));
+    EXPECT_FALSE(isInPhoto(voxels[1], Transform::Identity(), camera()));
+    EXPECT_FALSE(isInPhoto(voxels[2], Transform::Identity(), camera()));
     EXPECT_GE(projected.hull_px.size(), 3U);
 }
 

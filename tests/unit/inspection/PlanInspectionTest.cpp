@@ -75,7 +75,7 @@ TEST(PlanInspection, NeedsCandidatesAndCanBeCancelled) {
 }
 
 TEST(PlanInspection, TargetsAreTheCandidatesInTheMapFrame) {
-    const auto targets = planTargets(*roomWithOneCandidate().detection->candidates);
+    const auto targets = planTargets(*roomWithOneCandidate().detection);
     ASSERT_EQ(targets.size(), 1u);
     EXPECT_EQ(targets[0].candidateId, "C-001");
     EXPECT_EQ(targets[0].centroid_map, Eigen::Vector3d(0.0, 0.0, 0.1));

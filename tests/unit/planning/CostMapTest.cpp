@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <random>
+#include <sstream>
 
 #include "core/common/Error.h"
 #include "tests/fakes/PictureGrid.h"
@@ -48,6 +51,44 @@ TEST(CostMap, equalsTheFormulaInEveryCell) {
             }
         }
     }
+}
+
+TEST(CostMap, equalsTheCostsThatScipyWorksOutFromTheFormula) {
+    std::ifstream file(std::filesystem::path(FODSCOPE_TEST_DATA) / "costmap" / "costs.csv");
+    std::string line;
+    OccupancyGrid grid;
+    CostMapSettings settings;
+    std::vector<int> expected;
+    int grids = 0;
+    const auto compare = [&] {
+        if (expected.empty()) return;
+        const CostMap costMap = inflate(grid, settings);
+        for (std::size_t cell = 0; cell < expected.size(); ++cell)
+            ASSERT_EQ(int{costMap.costs[cell]}, expected[cell]) << "cell " << cell << " of grid " << grids;
+        ++grids;
+    };
+    while (std::getline(file, line)) {
+        std::istringstream words(line);
+        std::string word;
+        if (line.starts_with("grid,")) {
+            compare();
+            grid = OccupancyGrid();
+            expected.clear();
+            char comma = ',';
+            words.ignore(5);
+            words >> grid.resolution_m >> comma >> settings.inscribedRadius_m >> comma >> settings.inflationRadius_m >>
+                comma >> settings.costScalingFactor;
+            continue;
+        }
+        grid.width = 0;
+        for (; std::getline(words, word, ','); ++grid.width) {
+            grid.cells.push_back(word[0] == '#' ? Cell::Occupied : word[0] == '.' ? Cell::Free : Cell::Unknown);
+            expected.push_back(std::stoi(word.substr(2)));
+        }
+        ++grid.height;
+    }
+    compare();
+    EXPECT_EQ(grids, 12);
 }
 
 TEST(CostMap, hasThePublishedValuesBesideAWall) {

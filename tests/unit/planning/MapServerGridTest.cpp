@@ -149,7 +149,7 @@ TEST_F(MapServerGrid, refusesBrokenImages) {
         EXPECT_THAT(errorOf(writeYaml("map.pgm")), testing::HasSubstr("map.pgm: ")) << bytes;
     }
     write("map.pgm", huge);
-    EXPECT_THAT(errorOf(writeYaml("map.pgm")), testing::HasSubstr("100 million"));
+    EXPECT_THAT(errorOf(writeYaml("map.pgm")), testing::HasSubstr("25 million"));
 }
 
 }  // namespace

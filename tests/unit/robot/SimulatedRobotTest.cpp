@@ -286,11 +286,11 @@ TEST(SimulatedRobot, aRunnerBringsThePhotoOfEveryCandidate) {
     Robot robot;
     CostMap costMap = inflate(walledRoom(80, 80), {});
     floodFill(costMap, *robot.state.pose_map);
-    const std::vector<PlanTarget> targets{{"C-001", {3.0, 2.0, 0.2}, {0.4, 0.02, 0.4}},
-                                          {"C-002", {1.0, 3.2, 0.1}, {0.1, 0.1, 0.1}},
-                                          {"C-003", {-4.0, 0.0, 0.1}, {0.1, 0.1, 0.1}}};
+    const std::vector<PlanTarget> targets{{"C-001", {3.0, 2.0, 0.2}, {0.4, 0.02, 0.4}, 0.0, {}, 0.02},
+                                          {"C-002", {1.0, 3.2, 0.1}, {0.1, 0.1, 0.1}, 0.0, {}, 0.02},
+                                          {"C-003", {-4.0, 0.0, 0.1}, {0.1, 0.1, 0.1}, 0.0, {}, 0.02}};
     Progress progress;
-    const VisitPlan plan = planVisits(targets, costMap, costMap, *robot.state.pose_map, {}, progress);
+    const VisitPlan plan = planVisits(targets, costMap, costMap, *robot.state.pose_map, {}, {}, progress);
     std::vector<Visit> visits;
     for (const Waypoint& waypoint : plan.waypoints)
         visits.push_back({waypoint.id, VisitState::Draft, "", {}, "", 0, 0});
