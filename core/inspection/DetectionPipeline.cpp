@@ -182,7 +182,7 @@ const DetectionResult& DetectionPipeline::run(const Parameters& parameters, Prog
     }
     if (!inputsAreFinite_) {
         requireFinite("reference", reference_->points);
-        requireFinite("map", map_->points);
+        requireFinite("map", (map_ ? map_ : kept_.denoised)->points);
         inputsAreFinite_ = true;
     }
     requireGood(parameters);

@@ -283,6 +283,8 @@ TEST(DetectionPipeline, AGivenMapGivesTheSameAndIsNeededAnewForOtherOutlierRemov
     Parameters parameters = paper();
     parameters.discrepancy.smoothing.neighbours = 10;
     EXPECT_NE(pipeline.run(parameters, progress).field, result.field);
+    pipeline.setReference(roomReferenceMap());
+    EXPECT_NO_THROW(pipeline.run(parameters, progress));
     parameters.denoise.neighbours = 20;
     EXPECT_THROW(pipeline.run(parameters, progress), Error);
     pipeline.giveMap(*mapWithObjects());
