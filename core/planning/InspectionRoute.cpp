@@ -48,7 +48,8 @@ class RouteReader {
 
   private:
     [[noreturn]] void fail(const YAML::Node& where, const std::string& problem) const {
-        fail(where.Mark().line + 1, problem);
+        // An empty document has no place.
+        fail(std::max(1, where.Mark().line + 1), problem);
     }
 
     RoutePose poseFrom(const YAML::Node& node) const {
