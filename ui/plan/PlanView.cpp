@@ -211,7 +211,8 @@ void PlanView::mouseReleaseEvent(QMouseEvent* event) {
 void PlanView::mouseDoubleClickEvent(QMouseEvent* event) {
     const PlanHit hit = planHit(parts_->scene, parts_->transform, event->localPos());
     if (hit.item == PlanItem::Candidate) emit candidateActivated(QString::fromStdString(hit.id));
-    if (hit.item != PlanItem::None || !parts_->scene.isRoute || event->button() != Qt::LeftButton) return;
+    const bool isFree = hit.item == PlanItem::None && !poseGripAt(parts_->scene, parts_->transform, event->localPos());
+    if (!isFree || !parts_->scene.isRoute || event->button() != Qt::LeftButton) return;
     emit poseAdded(addedPose(parts_->scene, parts_->transform.toMap(event->localPos())));
 }
 
