@@ -9,6 +9,7 @@
 #include "core/inspection/DetectionPipeline.h"
 #include "core/inspection/InspectionState.h"
 #include "core/inspection/Journal.h"
+#include "core/planning/PlannedStops.h"
 
 namespace fodscope {
 
@@ -74,6 +75,10 @@ std::vector<Eigen::Vector3d> discrepantPoints_map(const DetectionRecord& detecti
 /// Plans visits for the candidates of a state on a grid: FOD-less sight map, inflation, flood fill, waypoints, order.
 VisitPlan planInspection(const InspectionState& state, const OccupancyGrid& grid_map, const Pose2& robot_map,
                          Progress& progress);
+
+/// The plan of a state with the operator's own stops, see planOfStops().
+/// @throws Error without a plan, and naming a stop where the robot cannot stand; Cancelled
+VisitPlan replanInspection(const InspectionState& state, std::span<const PlannedStop> stops, Progress& progress);
 
 /// `candidates.json` of the file contract: equal input gives an equal text.
 std::string candidatesJson(const SourceFile& reference, const SourceFile& map, const DetectionRecord& detection);

@@ -42,22 +42,50 @@ std::vector<PlanTarget> planTargets(const DetectionRecord& detection) {
     return targets;
 }
 
-VisitPlan planInspection(const InspectionState& state, const OccupancyGrid& grid_map, const Pose2& robot_map,
-                         Progress& progress) {
+namespace {
+
+void requireCandidates(const InspectionState& state) {
     const bool hasCandidates = state.detection && state.detection->field && state.detection->candidates &&
                                !state.detection->candidates->candidates.empty();
-    if (!hasCandidates) {
+    if (!hasCandidates)
         throw Error("plan", "there are no candidates to visit", "lower the threshold or issue the report as it is");
-    }
-    const DetectionRecord& detection = *state.detection;
-    const Parameters& parameters = state.parameters;
+}
+
+/// Where the robot can drive, and what it can see over.
+struct PlanMaps {
+    CostMap collision;
+    CostMap sight;
+};
+
+PlanMaps planMaps(const InspectionState& state, const OccupancyGrid& grid_map, const Pose2& robot_map,
+                  Progress& progress) {
+    const CostMapSettings& settings = state.parameters.costMap;
     progress.report("making the cost map", 0.0);
-    CostMap collision = inflate(grid_map, parameters.costMap);
-    floodFill(collision, robot_map);
+    PlanMaps maps{inflate(grid_map, settings), {}};
+    floodFill(maps.collision, robot_map);
     progress.report("making the cost map", 0.5);
-    const CostMap sight = inflate(withoutCandidates(grid_map, discrepantPoints_map(detection)), parameters.costMap);
-    const std::vector<PlanTarget> targets = planTargets(detection);
-    return planVisits(targets, collision, sight, robot_map, parameters.waypoints, parameters.camera, progress);
+    maps.sight = inflate(withoutCandidates(grid_map, discrepantPoints_map(*state.detection)), settings);
+    return maps;
+}
+
+}  // namespace
+
+VisitPlan planInspection(const InspectionState& state, const OccupancyGrid& grid_map, const Pose2& robot_map,
+                         Progress& progress) {
+    requireCandidates(state);
+    const PlanMaps maps = planMaps(state, grid_map, robot_map, progress);
+    const Parameters& parameters = state.parameters;
+    return planVisits(planTargets(*state.detection), maps.collision, maps.sight, robot_map, parameters.waypoints,
+                      parameters.camera, progress);
+}
+
+VisitPlan replanInspection(const InspectionState& state, std::span<const PlannedStop> stops, Progress& progress) {
+    requireCandidates(state);
+    if (!state.plan || !state.grid_map) throw Error("plan", "there is none yet", "plan the visits first");
+    const PlanMaps maps = planMaps(state, *state.grid_map, state.plan->start_map, progress);
+    const Parameters& parameters = state.parameters;
+    return planOfStops(stops, planTargets(*state.detection), maps.collision, maps.sight, *state.plan,
+                       parameters.waypoints, parameters.camera, progress);
 }
 
 }  // namespace fodscope

@@ -214,6 +214,23 @@ void visit(InspectionState& state, int candidates) {
     }
 }
 
+/// A photo of its own for each candidate, so that one can speak of "the photo of C-003".
+void planOneByOne(InspectionState& state, const Pose2& robot_map) {
+    Progress progress;
+    state.parameters.waypoints.order = VisitOrder::NearestNext;
+    state.plan = planInspection(state, *state.grid_map, robot_map, progress);
+    std::vector<PlannedStop> stops;
+    for (const Candidate& candidate : state.detection->candidates->candidates) {
+        InspectionState alone = state;
+        auto set = std::make_shared<CandidateSet>(*state.detection->candidates);
+        set->candidates = {candidate};
+        alone.detection->candidates = set;
+        for (const PlannedStop& stop : stopsOf(planInspection(alone, *state.grid_map, robot_map, progress)))
+            stops.push_back(stop);
+    }
+    state.plan = replanInspection(state, stops, progress);
+}
+
 std::string answerOf(const InspectionState& state, const Photo& photo) {
     const std::string& id = photo.candidateIds.front();
     if (id == "C-004") return kNoFod;
@@ -278,8 +295,7 @@ InspectionState tankInspection(const TankOptions& options) {
         "sample label set");
     if (!options.visited) return state;
     state.grid_map = sampleGrid();
-    Progress progress;
-    state.plan = planInspection(state, *state.grid_map, {0.6, 1.25, 0.0}, progress);
+    planOneByOne(state, {0.6, 1.25, 0.0});
     visit(state, options.candidates);
     if (options.decided) decide(state);
     return state;

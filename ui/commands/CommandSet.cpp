@@ -35,9 +35,28 @@ std::vector<MenuPlan> menus() {
               "metric.chi-square", "candidate.paper", "", "threshold.down", "threshold.up", "threshold.down.coarse",
               "threshold.up.coarse"}},
             {QObject::tr("&Robot"),
-             {"robot.builtin", "robot.world", "visit.grid", "", "route.robot", "route.load", "route.save",
-              "route.drive", "route.map", "", "visit.plan", "", "visit.start", "visit.pause", "visit.toggle",
-              "visit.skip", "visit.retry", "", "robot.stop"}},
+             {"robot.builtin",
+              "robot.world",
+              "visit.grid",
+              "",
+              "route.robot",
+              "route.load",
+              "route.save",
+              "route.drive",
+              "route.map",
+              "",
+              "visit.plan",
+              "visit.earlier",
+              "visit.later",
+              "visit.remove",
+              "",
+              "visit.start",
+              "visit.pause",
+              "visit.toggle",
+              "visit.skip",
+              "visit.retry",
+              "",
+              "robot.stop"}},
             {QObject::tr("&Report"), {"label.next", "label.set", "", "report.issue"}},
             {QObject::tr("&Help"), {"help.manual", "help.keys", "help.palette"}}};
 }
@@ -107,6 +126,9 @@ CommandSet::CommandSet(CommandContext context, QObject* parent) : QObject(parent
     add<ConnectWorldRobotCommand>();
     add<ConnectBuiltinRobotCommand>();
     add<PlanVisitsCommand>();
+    add<ShiftWaypointCommand>(-1);
+    add<ShiftWaypointCommand>(+1);
+    add<RemoveWaypointCommand>();
     add<StartVisitsCommand>();
     add<PauseVisitsCommand>();
     add<TogglePauseCommand>();
@@ -136,6 +158,7 @@ CommandSet::CommandSet(CommandContext context, QObject* parent) : QObject(parent
                               &InspectionController::routeChanged})
         connect(&controller, signal, this, &CommandSet::refreshAll);
     connect(&controller, &InspectionController::selectionChanged, this, &CommandSet::refreshAll);
+    connect(&controller, &InspectionController::waypointSelectionChanged, this, &CommandSet::refreshAll);
     refreshAll();
 }
 

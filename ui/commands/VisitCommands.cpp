@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "ui/commands/StopChanges.h"
+
 namespace fodscope {
 
 LoadGridCommand::LoadGridCommand(CommandContext& context)
@@ -63,6 +65,39 @@ bool PlanVisitsCommand::isAvailable() const {
     const auto& detection = controller().state().detection;
     return detection && detection->candidates && !detection->candidates->candidates.empty() &&
            !controller().candidatesAreFrozen();
+}
+
+ShiftWaypointCommand::ShiftWaypointCommand(CommandContext& context, int step)
+    : Command(context, step < 0 ? QStringLiteral("visit.earlier") : QStringLiteral("visit.later"),
+              step < 0 ? QObject::tr("Earlier") : QObject::tr("Later")),
+      step_(step) {
+    setToolTip(step < 0 ? QObject::tr("Visits the selected waypoint one place earlier")
+                        : QObject::tr("Visits the selected waypoint one place later"));
+}
+
+void ShiftWaypointCommand::run() {
+    shiftStop(controller(), controller().selectedWaypoint(), step_);
+}
+
+bool ShiftWaypointCommand::isAvailable() const {
+    const auto index = stopIndex(controller(), controller().selectedWaypoint());
+    if (!index || controller().candidatesAreFrozen()) return false;
+    return step_ < 0 ? *index > 0 : *index + 1 < controller().stops().size();
+}
+
+RemoveWaypointCommand::RemoveWaypointCommand(CommandContext& context)
+    : Command(context, QStringLiteral("visit.remove"), QObject::tr("Remove")) {
+    setToolTip(
+        QObject::tr("Takes the selected waypoint out of the plan; double click on the floor adds one, and "
+                    "waypoints can be dragged"));
+}
+
+void RemoveWaypointCommand::run() {
+    removeStop(controller(), controller().selectedWaypoint());
+}
+
+bool RemoveWaypointCommand::isAvailable() const {
+    return stopIndex(controller(), controller().selectedWaypoint()).has_value() && !controller().candidatesAreFrozen();
 }
 
 StartVisitsCommand::StartVisitsCommand(CommandContext& context)

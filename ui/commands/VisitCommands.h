@@ -33,6 +33,25 @@ class PlanVisitsCommand : public Command {
     bool isAvailable() const override;
 };
 
+/// Visits the selected waypoint one place earlier or later.
+class ShiftWaypointCommand : public Command {
+  public:
+    ShiftWaypointCommand(CommandContext& context, int step);
+    void run() override;
+    bool isAvailable() const override;
+
+  private:
+    int step_;
+};
+
+/// Takes the selected waypoint out of the plan.
+class RemoveWaypointCommand : public Command {
+  public:
+    explicit RemoveWaypointCommand(CommandContext& context);
+    void run() override;
+    bool isAvailable() const override;
+};
+
 /// Starts the visits, or goes on with the next one after a pause or a stop.
 class StartVisitsCommand : public Command {
   public:

@@ -3,13 +3,16 @@
 
 #include <QDoubleSpinBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QHeaderView>
+#include <QLabel>
 #include <QProgressBar>
 #include <QTreeWidget>
 #include <algorithm>
 
 #include "ui/commands/CommandSet.h"
 #include "ui/panels/Format.h"
+#include "ui/plan/CameraPreview.h"
 #include "ui/widgets/Card.h"
 #include "ui/widgets/StatusChip.h"
 
@@ -109,6 +112,7 @@ VisitPanel::VisitPanel(InspectionController& controller, const CommandSet& comma
     makeRobotCard(commands);
     makePlanCard(commands);
     makeDriveCard(commands);
+    makePreviewCard();
     column()->addStretch();
     connect(&controller, &InspectionController::sessionChanged, this, &VisitPanel::refresh);
     connect(&controller, &InspectionController::robotChanged, this, &VisitPanel::refreshRobot);
@@ -117,6 +121,7 @@ VisitPanel::VisitPanel(InspectionController& controller, const CommandSet& comma
     connect(&controller, &InspectionController::visitsChanged, this, &VisitPanel::refreshVisits);
     connect(&controller, &InspectionController::photosChanged, this, &VisitPanel::refreshVisits);
     connect(&controller, &InspectionController::selectionChanged, this, &VisitPanel::selectRow);
+    connect(&controller, &InspectionController::waypointSelectionChanged, this, &VisitPanel::selectRow);
     // The age of the pose grows while nothing is heard of the robot.
     ageTimer_.setInterval(500);
     connect(&ageTimer_, &QTimer::timeout, this, &VisitPanel::refreshRobot);
@@ -201,11 +206,46 @@ void VisitPanel::makeDriveCard(const CommandSet& commands) {
     story_ = makeText({}, TextRole::Muted, drive_);
     story_->setObjectName(QStringLiteral("visit.story"));
     drive_->body()->addWidget(story_);
+    auto* changes = new QHBoxLayout;
+    for (const char* id : {"visit.earlier", "visit.later", "visit.remove"})
+        changes->addWidget(commands.makeButton(QString::fromLatin1(id), drive_));
+    drive_->body()->addLayout(changes);
     column()->addWidget(drive_);
     connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
         if (item == nullptr || filling_) return;
-        controller_.selectCandidate(item->data(0, Qt::UserRole).toString());
+        const QString candidate = item->data(0, Qt::UserRole).toString();
+        controller_.selectWaypoint(item->text(0));
+        if (!item->text(1).split(QStringLiteral(", ")).contains(controller_.selectedCandidate()))
+            controller_.selectCandidate(candidate);
     });
+}
+
+void VisitPanel::makePreviewCard() {
+    preview_ = new Card(tr("What the camera will see"), this);
+    preview_->setCaption(tr("From the map: voxels, the candidates in their colours"));
+    picture_ = new QLabel(preview_);
+    picture_->setObjectName(QStringLiteral("visit.preview"));
+    preview_->body()->addWidget(picture_);
+    column()->addWidget(preview_);
+}
+
+void VisitPanel::refreshPreview() {
+    const InspectionState& state = controller_.state();
+    const std::string id = controller_.selectedWaypoint().toStdString();
+    const Waypoint* chosen = nullptr;
+    if (state.plan && state.detection) {
+        const auto found = std::ranges::find(state.plan->waypoints, id, &Waypoint::id);
+        if (found != state.plan->waypoints.end() && found->pose_map) chosen = &*found;
+    }
+    preview_->setVisible(chosen != nullptr);
+    if (chosen == nullptr) return;
+    constexpr int kWidth_px = 256;
+    const double ratio = devicePixelRatioF();
+    QImage image = cameraPreview(*state.detection, state.parameters.camera, *chosen->pose_map,
+                                 static_cast<int>(kWidth_px * ratio), currentTheme());
+    image.setDevicePixelRatio(ratio);
+    picture_->setPixmap(QPixmap::fromImage(image));
+    preview_->setTitle(tr("What the camera will see at %1").arg(QString::fromStdString(id)));
 }
 
 void VisitPanel::refresh() {
@@ -323,11 +363,21 @@ void VisitPanel::selectRow() {
     tellStory();
     filling_ = true;
     QTreeWidgetItem* chosen = nullptr;
-    for (int i = 0; i < list_->topLevelItemCount(); ++i)
-        if (list_->topLevelItem(i)->text(1).split(QStringLiteral(", ")).contains(controller_.selectedCandidate()))
-            chosen = list_->topLevelItem(i);
+    const auto isOf = [&](const QTreeWidgetItem* item) {
+        return item->text(1).split(QStringLiteral(", ")).contains(controller_.selectedCandidate());
+    };
+    for (int i = list_->topLevelItemCount(); i-- > 0;)
+        if (isOf(list_->topLevelItem(i))) chosen = list_->topLevelItem(i);
+    // A waypoint that was chosen goes before another one of the same candidate.
+    for (int i = 0; i < list_->topLevelItemCount(); ++i) {
+        QTreeWidgetItem* item = list_->topLevelItem(i);
+        const bool isFree = controller_.selectedCandidate().isEmpty() || isOf(item) || item->text(1).isEmpty();
+        if (item->text(0) == controller_.selectedWaypoint() && isFree) chosen = item;
+    }
     list_->setCurrentItem(chosen);
     filling_ = false;
+    if (chosen != nullptr) controller_.selectWaypoint(chosen->text(0));
+    refreshPreview();
 }
 
 void VisitPanel::takeStart() {

@@ -28,6 +28,8 @@ class VisitPanel : public PanelColumn {
     void makeRobotCard(const CommandSet& commands);
     void makePlanCard(const CommandSet& commands);
     void makeDriveCard(const CommandSet& commands);
+    void makePreviewCard();
+    void refreshPreview();
     void refresh();
     void refreshRobot();
     void refreshPlan();
@@ -53,6 +55,8 @@ class VisitPanel : public PanelColumn {
     QProgressBar* progress_ = nullptr;
     QTreeWidget* list_ = nullptr;
     QLabel* story_ = nullptr;
+    Card* preview_ = nullptr;
+    QLabel* picture_ = nullptr;
     bool filling_ = false;
     QTimer ageTimer_;
 };

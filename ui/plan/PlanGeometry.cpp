@@ -140,6 +140,20 @@ PlanHit planHit(const PlanScene& scene, const PlanTransform& transform, const QP
     return hit;
 }
 
+double facingFrom(const PlanScene& scene, const PlanWaypoint& waypoint, const Eigen::Vector2d& place_map) {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    int count = 0;
+    for (const PlanCandidate& candidate : scene.candidates) {
+        const auto& ids = waypoint.candidateIds;
+        if (std::find(ids.begin(), ids.end(), candidate.id) == ids.end()) continue;
+        sum += candidate.centroid_map;
+        ++count;
+    }
+    if (count == 0) return waypoint.pose_map.yaw_rad;
+    const Eigen::Vector2d way = sum / count - place_map;
+    return std::atan2(way.y(), way.x());
+}
+
 double scaleBarLength(double pixelsPerMetre, double widest_px) {
     const double widest_m = widest_px / pixelsPerMetre;
     const double decade = std::pow(10.0, std::floor(std::log10(widest_m)));

@@ -64,6 +64,9 @@ struct PlanHit {
 /// What is under a point: the nearest disc or ring within reach; a waypoint before a candidate.
 PlanHit planHit(const PlanScene& scene, const PlanTransform& transform, const QPointF& point, double reach_px = 6.0);
 
+/// @return the yaw with which a waypoint would look at its candidates from a place; as it is when it has none
+double facingFrom(const PlanScene& scene, const PlanWaypoint& waypoint, const Eigen::Vector2d& place_map);
+
 /// @return the longest of 1, 2, 5 · 10ⁿ metres that is not longer than `widest_px`
 double scaleBarLength(double pixelsPerMetre, double widest_px);
 

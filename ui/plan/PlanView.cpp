@@ -8,10 +8,12 @@
 #include <QToolButton>
 #include <QToolTip>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "ui/plan/PlanPainter.h"
+#include "ui/plan/PlanSigns.h"
 #include "ui/plan/PlanWords.h"
 #include "ui/plan/PoseEditing.h"
 #include "ui/theme/Icons.h"
@@ -36,6 +38,9 @@ struct PlanView::Parts {
     QPointF pressed;
     QPointF dragged;
     QToolButton* fit = nullptr;
+    bool editable = false;
+    /// The waypoint that is being dragged; empty: none.
+    std::string held;
 };
 
 PlanView::PlanView(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>()) {
@@ -55,6 +60,11 @@ PlanView::PlanView(QWidget* parent) : QWidget(parent), parts_(std::make_unique<P
 }
 
 PlanView::~PlanView() = default;
+
+void PlanView::setEditable(bool editable) {
+    parts_->editable = editable;
+    parts_->held.clear();
+}
 
 const PlanScene& PlanView::scene() const {
     return parts_->scene;
@@ -129,9 +139,26 @@ void PlanView::paintEvent(QPaintEvent*) {
         paintPoseHandles(painter, parts_->scene, parts_->transform, theme);
         painter.setClipping(false);
     }
+    if (parts_->dragging && !parts_->held.empty()) paintHeldWaypoint(painter);
     painter.fillRect(QRectF(0, plan.bottom(), width(), legendHeight), theme.surface1);
     painter.fillRect(QRectF(0, plan.bottom(), width(), 1), theme.line);
     paintPlanLegend(painter, QRectF(0, plan.bottom(), width(), legendHeight), parts_->scene, parts_->look, true);
+}
+
+/// Where the waypoint would be, looking at what it was taken for.
+void PlanView::paintHeldWaypoint(QPainter& painter) {
+    const auto held = std::ranges::find(parts_->scene.waypoints, parts_->held, &PlanWaypoint::id);
+    if (held == parts_->scene.waypoints.end()) return;
+    const Theme& theme = parts_->look.theme;
+    const double yaw_rad = facingFrom(parts_->scene, *held, parts_->transform.toMap(parts_->dragged));
+    QColor fill = theme.accent;
+    fill.setAlpha(60);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintViewCone(painter, parts_->dragged, parts_->scene.viewRange_m * parts_->transform.pixelsPerMetre, yaw_rad,
+                  parts_->scene.viewAngle_rad, fill);
+    paintWaypointSign(painter, parts_->dragged, QString::number(held->number), held->state, true, true, theme);
+    painter.restore();
 }
 
 void PlanView::resizeEvent(QResizeEvent*) {
@@ -151,9 +178,14 @@ void PlanView::wheelEvent(QWheelEvent* event) {
 void PlanView::mousePressEvent(QMouseEvent* event) {
     parts_->pressed = parts_->dragged = event->localPos();
     parts_->dragging = false;
-    if (!parts_->scene.isRoute || event->button() != Qt::LeftButton) return;
-    parts_->grip = poseGripAt(parts_->scene, parts_->transform, event->localPos());
-    if (parts_->grip) parts_->gripped_map = parts_->scene.waypoints[parts_->grip->waypoint].pose_map;
+    if (event->button() != Qt::LeftButton) return;
+    if (parts_->scene.isRoute) {
+        parts_->grip = poseGripAt(parts_->scene, parts_->transform, event->localPos());
+        if (parts_->grip) parts_->gripped_map = parts_->scene.waypoints[parts_->grip->waypoint].pose_map;
+        return;
+    }
+    const PlanHit hit = planHit(parts_->scene, parts_->transform, event->localPos());
+    if (parts_->editable && hit.item == PlanItem::Waypoint) parts_->held = hit.id;
 }
 
 void PlanView::mouseMoveEvent(QMouseEvent* event) {
@@ -165,6 +197,12 @@ void PlanView::mouseMoveEvent(QMouseEvent* event) {
         if (parts_->grip) {
             parts_->scene.waypoints[parts_->grip->waypoint].pose_map =
                 draggedPose(*parts_->grip, parts_->gripped_map, parts_->transform, place);
+            update();
+            return;
+        }
+        if (!parts_->held.empty()) {
+            parts_->dragged = place;
+            setCursor(Qt::ClosedHandCursor);
             update();
             return;
         }
@@ -193,6 +231,13 @@ void PlanView::mouseReleaseEvent(QMouseEvent* event) {
         if (std::exchange(parts_->dragging, false)) emit poseChanged(id, Pose2(waypoint.pose_map));
         return;
     }
+    const std::string held = std::exchange(parts_->held, {});
+    if (parts_->dragging && !held.empty()) {
+        parts_->dragging = false;
+        update();
+        emit waypointMoved(QString::fromStdString(held), parts_->transform.toMap(event->localPos()));
+        return;
+    }
     if (parts_->dragging || event->button() != Qt::LeftButton) {
         parts_->dragging = false;
         return;
@@ -211,19 +256,17 @@ void PlanView::mouseReleaseEvent(QMouseEvent* event) {
 void PlanView::mouseDoubleClickEvent(QMouseEvent* event) {
     const PlanHit hit = planHit(parts_->scene, parts_->transform, event->localPos());
     if (hit.item == PlanItem::Candidate) emit candidateActivated(QString::fromStdString(hit.id));
-    const bool isFree = hit.item == PlanItem::None && !poseGripAt(parts_->scene, parts_->transform, event->localPos());
-    if (!isFree || !parts_->scene.isRoute || event->button() != Qt::LeftButton) return;
-    emit poseAdded(addedPose(parts_->scene, parts_->transform.toMap(event->localPos())));
+    if (hit.item != PlanItem::None || event->button() != Qt::LeftButton) return;
+    const Eigen::Vector2d place_map = parts_->transform.toMap(event->localPos());
+    if (parts_->editable) emit waypointAdded(place_map);
+    const bool isFree = parts_->scene.isRoute && !poseGripAt(parts_->scene, parts_->transform, event->localPos());
+    if (isFree) emit poseAdded(addedPose(parts_->scene, place_map));
 }
 
 void PlanView::keyPressEvent(QKeyEvent* event) {
     constexpr double kPan_px = 40.0;
     const QPointF middle(0.5 * width(), 0.5 * height());
     switch (event->key()) {
-        case Qt::Key_Delete:
-            if (parts_->scene.isRoute && !parts_->look.selectedWaypoint.empty())
-                emit poseRemoved(QString::fromStdString(parts_->look.selectedWaypoint));
-            return;
         case Qt::Key_Escape:
             if (!parts_->grip) {
                 QWidget::keyPressEvent(event);
@@ -236,6 +279,11 @@ void PlanView::keyPressEvent(QKeyEvent* event) {
             return;
         case Qt::Key_Home:
             fit();
+            return;
+        case Qt::Key_Delete:
+            if (parts_->look.selectedWaypoint.empty()) return;
+            if (parts_->scene.isRoute) emit poseRemoved(QString::fromStdString(parts_->look.selectedWaypoint));
+            if (parts_->editable) emit waypointRemoved(QString::fromStdString(parts_->look.selectedWaypoint));
             return;
         case Qt::Key_Plus:
         case Qt::Key_Equal:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QPainter>
 #include <QString>
 #include <QWidget>
 #include <memory>
@@ -28,6 +29,9 @@ class PlanView : public QWidget {
     void setSelectedCandidate(const QString& candidateId);
     void setSelectedWaypoint(const QString& waypointId);
 
+    /// Whether waypoints can be dragged, removed and added; not by default.
+    void setEditable(bool editable);
+
     const PlanScene& scene() const;
 
   public slots:
@@ -42,6 +46,12 @@ class PlanView : public QWidget {
     void poseAdded(const fodscope::Pose2& pose_map);
     void poseChanged(const QString& waypointId, const fodscope::Pose2& pose_map);
     void poseRemoved(const QString& waypointId);
+    /// A waypoint was dragged to a place.
+    void waypointMoved(const QString& waypointId, const Eigen::Vector2d& place_map);
+    /// Delete was pressed.
+    void waypointRemoved(const QString& waypointId);
+    /// Double click on the floor.
+    void waypointAdded(const Eigen::Vector2d& place_map);
 
   protected:
     void paintEvent(QPaintEvent* event) override;
@@ -56,6 +66,8 @@ class PlanView : public QWidget {
     bool event(QEvent* event) override;
 
   private:
+    void paintHeldWaypoint(QPainter& painter);
+
     struct Parts;
     std::unique_ptr<Parts> parts_;
 };

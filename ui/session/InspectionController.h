@@ -118,6 +118,15 @@ class InspectionController : public QObject {
     /// A map_server grid for the plan instead of one made from the map.
     void loadGrid(const QString& yamlFile);
     void planVisits();
+    /// The stops of the plan as the operator may change them; none without a plan.
+    std::vector<PlannedStop> stops() const;
+    /// Makes the plan one over the operator's own stops. Can be undone until the visits begin.
+    /// @param what in words, after "undo ": "move of W-02"
+    void changeStops(const std::vector<PlannedStop>& stops, const QString& what);
+    /// The waypoint that changes of the plan are about; empty: none.
+    QString selectedWaypoint() const { return selectedWaypoint_; }
+    /// Selects its first candidate too, unless one of its candidates is selected.
+    void selectWaypoint(const QString& id);
     void connectRobot(std::unique_ptr<RobotLink> robot);
     /// A simulated robot in a world file, or in the built-in tank.
     void connectWorldRobot(const QString& worldFile);
@@ -203,6 +212,7 @@ class InspectionController : public QObject {
     void planChanged();
     void routeChanged();
     void routePoseSelected(const QString& poseId);
+    void waypointSelectionChanged(const QString& waypointId);
     void visitsChanged();
     void robotChanged();
     void photosChanged();
@@ -244,6 +254,7 @@ class InspectionController : public QObject {
     void leaveRoute();
     void keepMap(const std::shared_ptr<const PointCloud>& map);
     void keepVisit(const Visit& visit);
+    void keepPlan(const OccupancyGrid& grid, const VisitPlan& plan);
     void keepPhoto(const Photo& photo);
     void recordDecision(const std::string& photoId, const std::string& labeller, const std::vector<PhotoLabel>& labels,
                         const std::string& comment);
@@ -275,6 +286,7 @@ class InspectionController : public QObject {
     std::vector<ReportField> probe_;
     QString selected_;
     QString selectedPhoto_;
+    QString selectedWaypoint_;
     QString labeller_;
     std::optional<Pose2> robotStart_;
     std::optional<OccupancyGrid> givenGrid_;

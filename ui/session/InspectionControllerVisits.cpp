@@ -63,15 +63,7 @@ void InspectionController::planVisits() {
                progress.report("making the grid", 0.0);
                const OccupancyGrid grid = makeGrid(sources);
                const VisitPlan plan = planInspection(input, grid, start, progress);
-               return [this, grid, plan] {
-                   inspection_->adoptPlan(grid, plan);
-                   isOnRoute_ = false;
-                   visits_.setPlan(plan, state().visits, state().parameters.visits, photoMarks(state()));
-                   refreshVerdicts();
-                   emit planChanged();
-                   emit visitsChanged();
-                   emit stepsChanged();
-               };
+               return [this, grid, plan] { keepPlan(grid, plan); };
            });
 }
 

@@ -9,7 +9,8 @@ namespace fodscope {
 
 ParameterUse useOf(const std::string& section) {
     if (section == "visits") return ParameterUse::Visits;
-    if (section == "occupancy" || section == "cost_map" || section == "waypoints") return ParameterUse::Plan;
+    if (section == "occupancy" || section == "cost_map" || section == "camera" || section == "waypoints")
+        return ParameterUse::Plan;
     if (section.starts_with("reference") || section.starts_with("covariance")) return ParameterUse::Reference;
     return ParameterUse::Detection;
 }

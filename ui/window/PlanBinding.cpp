@@ -2,8 +2,11 @@
 #include "ui/window/PlanBinding.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "ui/commands/StopChanges.h"
 #include "ui/panels/Format.h"
+#include "ui/plan/PlanGeometry.h"
 
 namespace fodscope {
 
@@ -23,16 +26,18 @@ PlanBinding::PlanBinding(InspectionController& controller, PlanView& view, QObje
     connect(&view, &PlanView::candidateActivated, &controller, &InspectionController::flyToCandidate);
     connectRoute();
     connect(&view, &PlanView::waypointSelected, this, [this](const QString& id) {
-        if (isRoute_) {
+        if (isRoute_)
             controller_.selectRoutePose(id);
-            return;
-        }
-        const auto& plan = controller_.state().plan;
-        if (!plan) return;
-        const auto chosen = std::ranges::find(plan->waypoints, id.toStdString(), &Waypoint::id);
-        if (chosen != plan->waypoints.end() && !chosen->candidateIds.empty())
-            controller_.selectCandidate(QString::fromStdString(chosen->candidateIds.front()));
+        else
+            controller_.selectWaypoint(id);
     });
+    connect(&controller, &InspectionController::waypointSelectionChanged, this, [this](const QString& id) {
+        if (!isRoute_) view_.setSelectedWaypoint(id);
+    });
+    connect(&controller, &InspectionController::visitsChanged, this, &PlanBinding::refreshEditable);
+    connect(&view, &PlanView::waypointMoved, this, &PlanBinding::move);
+    connect(&view, &PlanView::waypointAdded, this, &PlanBinding::add);
+    connect(&view, &PlanView::waypointRemoved, this, [this](const QString& id) { removeStop(controller_, id); });
     ageTimer_.setInterval(1000);
     connect(&ageTimer_, &QTimer::timeout, this, &PlanBinding::showRobot);
     ageTimer_.start();
@@ -73,6 +78,7 @@ void PlanBinding::showRoute() {
     view_.setSelectedCandidate({});
     view_.setSelectedWaypoint(controller_.selectedRoutePose());
     showRobot();
+    refreshEditable();
 }
 
 void PlanBinding::showPlan() {
@@ -84,6 +90,32 @@ void PlanBinding::showPlan() {
     view_.setSelectedCandidate(controller_.selectedCandidate());
     selectWaypoint();
     showRobot();
+    refreshEditable();
+}
+
+void PlanBinding::refreshEditable() {
+    view_.setEditable(!isRoute_ && controller_.state().plan && !controller_.candidatesAreFrozen());
+}
+
+void PlanBinding::move(const QString& waypointId, const Eigen::Vector2d& place_map) {
+    const auto& waypoints = view_.scene().waypoints;
+    const auto moved = std::ranges::find(waypoints, waypointId.toStdString(), &PlanWaypoint::id);
+    std::vector<PlannedStop> stops = controller_.stops();
+    const auto index = static_cast<std::size_t>(moved - waypoints.begin());
+    if (moved == waypoints.end() || index >= stops.size()) return;
+    stops[index] = {{place_map.x(), place_map.y(), facingFrom(view_.scene(), *moved, place_map)}, {}};
+    controller_.changeStops(stops, tr("move of %1").arg(waypointId));
+}
+
+void PlanBinding::add(const Eigen::Vector2d& place_map) {
+    const auto& candidates = view_.scene().candidates;
+    const auto nearest = std::ranges::min_element(
+        candidates, {}, [&](const PlanCandidate& candidate) { return (candidate.centroid_map - place_map).norm(); });
+    if (nearest == candidates.end()) return;
+    const Eigen::Vector2d way = nearest->centroid_map - place_map;
+    std::vector<PlannedStop> stops = controller_.stops();
+    stops.push_back({{place_map.x(), place_map.y(), std::atan2(way.y(), way.x())}, {}});
+    controller_.changeStops(stops, tr("new waypoint"));
 }
 
 void PlanBinding::showRobot() {

@@ -25,6 +25,9 @@ class PlanBinding : public QObject {
     void connectRoute();
     void showRobot();
     void selectWaypoint();
+    void refreshEditable();
+    void move(const QString& waypointId, const Eigen::Vector2d& place_map);
+    void add(const Eigen::Vector2d& place_map);
 
     InspectionController& controller_;
     PlanView& view_;

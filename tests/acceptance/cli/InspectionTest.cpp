@@ -125,7 +125,7 @@ TEST(BuiltinTank, IsInspectedFromMapsToReport) {
     const std::string grid = std::filesystem::path(map).replace_extension(".yaml").string();
     expectDone(runCli({"plan", "--candidates", (folder / "detect" / "candidates.json").string(), "--grid", grid,
                        "--robot", robot.str(), "--out", (folder / "waypoints.json").string()}));
-    EXPECT_EQ(readJson(folder / "waypoints.json")["waypoints"].size(), candidates["candidates"].size());
+    EXPECT_EQ(readJson(folder / "waypoints.json")["candidates"].size(), candidates["candidates"].size());
 
     const Outcome inspected = runCli({"inspect", "--reference", reference, "--map", map.string(), "--robot",
                                       "simulated", "--world", "builtin", "--session", session});

@@ -71,6 +71,46 @@ TEST_F(PlanOnScreen, ADragMovesThePlanAndSelectsNothing) {
     EXPECT_EQ(candidate.count(), 2) << "fit brings it back";
 }
 
+TEST_F(PlanOnScreen, AWaypointIsDraggedOnlyWhereThePlanMayBeChanged) {
+    QSignalSpy moved(&view, &PlanView::waypointMoved);
+    const PlanWaypoint waypoint = view.scene().waypoints.front();
+    const QPoint place = placeOf({waypoint.pose_map.x_m, waypoint.pose_map.y_m});
+    const auto drag = [&] {
+        QTest::mousePress(&view, Qt::LeftButton, Qt::NoModifier, place);
+        QMouseEvent move(QEvent::MouseMove, place + QPoint(30, 12), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&view, &move);
+        view.grab();
+        QTest::mouseRelease(&view, Qt::LeftButton, Qt::NoModifier, place + QPoint(30, 12));
+    };
+    view.setEditable(true);
+    drag();
+    ASSERT_EQ(moved.count(), 1);
+    EXPECT_EQ(moved.at(0).at(0).toString(), QString::fromStdString(waypoint.id));
+    EXPECT_EQ(placeOf(view.scene().candidates[0].centroid_map),
+              placeOf(state.detection->candidates->candidates[0].centroid_map.head<2>()))
+        << "the plan stays where it is";
+    view.setEditable(false);
+    drag();
+    EXPECT_EQ(moved.count(), 1);
+}
+
+TEST_F(PlanOnScreen, ADoubleClickOnTheFloorAddsAndDeleteRemovesAWaypoint) {
+    QSignalSpy added(&view, &PlanView::waypointAdded);
+    QSignalSpy removed(&view, &PlanView::waypointRemoved);
+    const QPoint floor = placeOf({0.25, 2.3});
+    QTest::mouseDClick(&view, Qt::LeftButton, Qt::NoModifier, floor);
+    EXPECT_EQ(added.count(), 0) << "the plan may not be changed";
+    view.setEditable(true);
+    QTest::mouseDClick(&view, Qt::LeftButton, Qt::NoModifier, floor);
+    EXPECT_EQ(added.count(), 1);
+    QTest::keyClick(&view, Qt::Key_Delete);
+    EXPECT_EQ(removed.count(), 0) << "none is selected";
+    view.setSelectedWaypoint(QStringLiteral("W-02"));
+    QTest::keyClick(&view, Qt::Key_Delete);
+    ASSERT_EQ(removed.count(), 1);
+    EXPECT_EQ(removed.at(0).at(0).toString(), "W-02");
+}
+
 TEST_F(PlanOnScreen, SelectingFromOutsideSendsNothingBack) {
     QSignalSpy candidate(&view, &PlanView::candidateSelected);
     QSignalSpy waypoint(&view, &PlanView::waypointSelected);

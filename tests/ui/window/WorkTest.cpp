@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <QBuffer>
 #include <QImage>
+#include <algorithm>
 
 #include "core/reference/ReferenceMapIo.h"
 #include "tests/fakes/SampleInspection.h"
@@ -257,6 +258,35 @@ TEST_F(Work, IssuedReportIsThereInAllForms) {
     for (const char* name : {"report.pdf", "report.html", "report.csv", "report.json"})
         EXPECT_TRUE(QFile::exists(file(QStringLiteral("report/") + name))) << name;
     EXPECT_EQ(controller->state().reports.size(), 1u);
+}
+
+TEST_F(Work, ThePlanIsChangedAndTheChangeTakenBack) {
+    detectRoom();
+    run("step.4");
+    controller->setRobotStart({1.0, 0.6, 0.0});
+    run("visit.plan");
+    ASSERT_TRUE(waitUntilIdle());
+    ASSERT_TRUE(banner().isEmpty()) << qPrintable(banner());
+    ASSERT_TRUE(controller->state().plan.has_value());
+    const std::vector<PlannedStop> stops = controller->stops();
+    ASSERT_GE(stops.size(), 1u);
+    controller->selectWaypoint(QStringLiteral("W-01"));
+    EXPECT_FALSE(controller->selectedCandidate().isEmpty());
+    EXPECT_TRUE(find("visit.preview")->isVisible());
+    run("visit.remove");
+    ASSERT_TRUE(waitUntilIdle());
+    EXPECT_EQ(controller->stops().size(), stops.size() - 1);
+    EXPECT_TRUE(std::ranges::any_of(controller->state().plan->views,
+                                    [](const CandidateView& view) { return view.rest == WaypointStatus::LeftOut; }));
+    run("edit.undo");
+    EXPECT_EQ(controller->stops().size(), stops.size());
+    EXPECT_EQ(controller->stops().front().pose_map, stops.front().pose_map);
+    std::vector<PlannedStop> inTheWall = stops;
+    inTheWall.front().pose_map.x_m = -50.0;
+    controller->changeStops(inTheWall, QStringLiteral("move"));
+    ASSERT_TRUE(waitUntilIdle());
+    EXPECT_TRUE(banner().contains("outside the grid")) << qPrintable(banner());
+    EXPECT_EQ(controller->stops().front().pose_map, stops.front().pose_map);
 }
 
 TEST_F(Work, ReaderLabelsByKeyboardAndTakesItBack) {

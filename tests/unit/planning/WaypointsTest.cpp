@@ -169,8 +169,8 @@ TEST(Waypoints, aCandidateLeaningOnAWallIsPhotographedFromTheOpenSide) {
 TEST(Waypoints, theRingWidensWhenTheNearPosesCollide) {
     OccupancyGrid grid = walledRoom(80, 80);
     // Posts round the candidate: nothing within 0.75 m of its edge is clear, but one can look between them.
-    for (int i = 0; i < 14; ++i) {
-        const double angle = i * std::numbers::pi / 7.0;
+    for (int i = 0; i < 20; ++i) {
+        const double angle = i * std::numbers::pi / 10.0;
         const CellIndex post = grid.cellAt({2.0 + 0.72 * std::cos(angle), 2.0 + 0.72 * std::sin(angle)});
         grid.cells[grid.offset(post)] = Cell::Occupied;
     }

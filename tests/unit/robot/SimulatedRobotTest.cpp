@@ -306,12 +306,13 @@ TEST(SimulatedRobot, aRunnerBringsThePhotoOfEveryCandidate) {
     for (std::size_t i = 0; i < 2; ++i) {
         EXPECT_EQ(runner.visits()[i].state, VisitState::Done);
         EXPECT_EQ(photos[i].candidateIds, plan.waypoints[i].candidateIds);
-        // The camera looks at the candidate: it lies before the lens, in the middle column.
+        // The camera looks at the candidate: it lies before the lens, about the middle column; the yaw that has all of
+        // it in the picture need not be that of its centre.
         const auto target = std::find_if(targets.begin(), targets.end(), [&](const PlanTarget& each) {
             return each.candidateId == photos[i].candidateIds.front();
         });
         const Eigen::Vector3d seen_camera = photos[i].T_map_from_camera.inverse() * target->centroid_map;
-        EXPECT_NEAR(seen_camera.x(), 0.0, 1e-6);
+        EXPECT_NEAR(seen_camera.x() / seen_camera.z(), 0.0, 0.3);
         EXPECT_GT(seen_camera.z(), 0.3);
     }
     EXPECT_EQ(runner.visits()[2].state, VisitState::Skipped);
