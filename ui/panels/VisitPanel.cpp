@@ -239,6 +239,11 @@ void VisitPanel::refreshPreview() {
     }
     preview_->setVisible(chosen != nullptr);
     if (chosen == nullptr) return;
+    // Visits change many times a minute, the picture only with pose, candidates and theme.
+    const auto key = std::tuple(chosen->pose_map->x_m, chosen->pose_map->y_m, chosen->pose_map->yaw_rad,
+                                static_cast<const void*>(state.detection->candidates.get()), currentTheme().kind);
+    if (key == previewed_) return;
+    previewed_ = key;
     constexpr int kWidth_px = 256;
     const double ratio = devicePixelRatioF();
     QImage image = cameraPreview(*state.detection, state.parameters.camera, *chosen->pose_map,

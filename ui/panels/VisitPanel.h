@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QTimer>
+#include <tuple>
 
 #include "ui/panels/PanelParts.h"
 
@@ -57,6 +58,8 @@ class VisitPanel : public PanelColumn {
     QLabel* story_ = nullptr;
     Card* preview_ = nullptr;
     QLabel* picture_ = nullptr;
+    /// What the preview shows: pose, candidates, theme.
+    std::tuple<double, double, double, const void*, ThemeKind> previewed_{};
     bool filling_ = false;
     QTimer ageTimer_;
 };
