@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/fakes/TankInspection.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -219,16 +220,25 @@ void planOneByOne(InspectionState& state, const Pose2& robot_map) {
     Progress progress;
     state.parameters.waypoints.order = VisitOrder::NearestNext;
     state.plan = planInspection(state, *state.grid_map, robot_map, progress);
-    std::vector<PlannedStop> stops;
+    VisitPlan plan = *state.plan;
+    plan.waypoints.clear();
+    plan.length_m = 0.0;
+    plan.nearestNextLength_m.reset();
+    plan.shortestTourLength_m.reset();
     for (const Candidate& candidate : state.detection->candidates->candidates) {
         InspectionState alone = state;
         auto set = std::make_shared<CandidateSet>(*state.detection->candidates);
         set->candidates = {candidate};
         alone.detection->candidates = set;
-        for (const PlannedStop& stop : stopsOf(planInspection(alone, *state.grid_map, robot_map, progress)))
-            stops.push_back(stop);
+        const VisitPlan own = planInspection(alone, *state.grid_map, robot_map, progress);
+        plan.length_m += own.length_m;
+        plan.waypoints.insert(plan.waypoints.end(), own.waypoints.begin(), own.waypoints.end());
     }
-    state.plan = replanInspection(state, stops, progress);
+    std::ranges::stable_partition(plan.waypoints,
+                                  [](const Waypoint& waypoint) { return waypoint.pose_map.has_value(); });
+    for (std::size_t i = 0; i < plan.waypoints.size(); ++i)
+        plan.waypoints[i].id = (i < 9 ? "W-0" : "W-") + std::to_string(i + 1);
+    state.plan = plan;
 }
 
 std::string answerOf(const InspectionState& state, const Photo& photo) {

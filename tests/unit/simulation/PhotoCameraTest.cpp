@@ -38,8 +38,8 @@ TEST(PhotoCamera, LooksAheadAndDownFromTheRobot) {
     const Transform pose = cameraPose({1.0, 2.0, 1.5707963267948966}, {});
     EXPECT_TRUE(pose.translation().isApprox(Eigen::Vector3d(1.0, 2.0, 0.20)));
     const Eigen::Vector3d forward = pose.linear().col(2), right = pose.linear().col(0), down = pose.linear().col(1);
-    EXPECT_NEAR(forward.y(), std::cos(0.0873), 1e-9);
-    EXPECT_NEAR(forward.z(), -std::sin(0.0873), 1e-9);
+    EXPECT_NEAR(forward.y(), std::cos(radiansFromDegrees(5.0)), 1e-9);
+    EXPECT_NEAR(forward.z(), -std::sin(radiansFromDegrees(5.0)), 1e-9);
     EXPECT_TRUE(right.isApprox(Eigen::Vector3d::UnitX()));
     EXPECT_LT(down.z(), 0.0);
     EXPECT_NEAR(pose.linear().determinant(), 1.0, 1e-12);
