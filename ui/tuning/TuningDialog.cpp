@@ -1,46 +1,46 @@
 // SPDX-License-Identifier: MIT
 #include "ui/tuning/TuningDialog.h"
 
-#include <QComboBox>
 #include <QDir>
-#include <QFormLayout>
 #include <QLabel>
-#include <QLineEdit>
-#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QStackedWidget>
 #include <QStyle>
 #include <QVBoxLayout>
+#include <QVariant>
 #include <algorithm>
-#include <cmath>
 
 #include "ui/panels/Format.h"
 #include "ui/panels/PanelParts.h"
 #include "ui/session/FileDialogs.h"
 #include "ui/session/InspectionController.h"
 #include "ui/session/ParameterUse.h"
-#include "ui/tuning/CostSurface.h"
+#include "ui/tuning/CostPage.h"
+#include "ui/tuning/PhotoPage.h"
+#include "ui/tuning/TuningOptions.h"
 #include "ui/tuning/TuningValues.h"
 #include "ui/widgets/Card.h"
-#include "ui/widgets/ValueSlider.h"
 
 namespace fodscope {
 namespace {
 
 constexpr int kLeftWidth_px = 320;
 
-AxisStyle thresholdAxis(Metric metric) {
-    if (metric == Metric::Euclidean) return {QObject::tr("threshold"), QStringLiteral("mm"), 1000.0, 1};
-    return {QObject::tr("threshold"), {}, 1.0, metric == Metric::Mahalanobis ? 2 : 0};
-}
-
 QString taskName() {
     return QObject::tr("searching parameters");
 }
 
-bool holds(const MeasuredTrials& measured, Metric metric) {
-    return std::ranges::all_of(measured.trials,
-                               [&](const SearchTrial& trial) { return !trial.field || trial.field->has(metric); });
+void markProblem(QWidget* widget, bool on) {
+    widget->setProperty("problem", on);
+    widget->style()->unpolish(widget);
+    widget->style()->polish(widget);
+}
+
+/// How many settings a search tries.
+std::size_t settingCount(const ParameterSearchSettings& grid) {
+    return static_cast<std::size_t>(grid.cutoffCount) * static_cast<std::size_t>(grid.thresholdCount) *
+           static_cast<std::size_t>(grid.highestLeastPoints - grid.lowestLeastPoints + 1);
 }
 
 }  // namespace
@@ -83,7 +83,18 @@ TuningDialog::~TuningDialog() = default;
 QWidget* TuningDialog::makeLeft() {
     auto* left = new PanelColumn(this, kLeftWidth_px);
     left->setFixedWidth(kLeftWidth_px + 16);
-    auto* trials = new Card(tr("Trials"), left);
+    left->column()->addWidget(makeTrialsCard(left));
+    left->column()->addWidget(makeSearchCard(left));
+    auto* card = new Card(tr("Values"), left);
+    values_ = new QStackedWidget(card);
+    card->body()->addWidget(values_);
+    left->column()->addWidget(card);
+    left->column()->addStretch();
+    return left;
+}
+
+QWidget* TuningDialog::makeTrialsCard(QWidget* parent) {
+    auto* trials = new Card(tr("Trials"), parent);
     auto* folder = new QPushButton(tr("Choose a folder of trials…"), trials);
     folder->setObjectName(QStringLiteral("tuning.folder"));
     folder->setAutoDefault(false);
@@ -93,19 +104,16 @@ QWidget* TuningDialog::makeLeft() {
     trialsText_->setObjectName(QStringLiteral("tuning.trials"));
     trials->body()->addWidget(folder);
     trials->body()->addWidget(trialsText_);
-    left->column()->addWidget(trials);
+    connect(folder, &QPushButton::clicked, this, [this] {
+        const QString chosen = files_.chooseFolder(this, tr("Folder of trials"), folder_);
+        if (!chosen.isEmpty()) chooseFolder(chosen);
+    });
+    return trials;
+}
 
-    auto* search = new Card(tr("Search"), left);
-    auto* form = new QFormLayout;
-    form->setHorizontalSpacing(12);
-    metric_ = new QComboBox(search);
-    metric_->setObjectName(QStringLiteral("tuning.metric"));
-    lambda_ = new QLineEdit(QString::number(kUnassociatedWeight_m), search);
-    lambda_->setObjectName(QStringLiteral("tuning.lambda"));
-    lambda_->setToolTip(tr("λ: how many metres of distance one superfluous candidate is worth. The paper has 0.05 m"));
-    form->addRow(tr("Metric"), metric_);
-    form->addRow(tr("λ (m)"), lambda_);
-    search->body()->addLayout(form);
+QWidget* TuningDialog::makeSearchCard(QWidget* parent) {
+    auto* search = new Card(tr("Search"), parent);
+    options_ = new TuningOptions(files_, search);
     search_ = new QPushButton(tr("Search"), search);
     search_->setObjectName(QStringLiteral("tuning.search"));
     search_->setAutoDefault(false);
@@ -117,25 +125,14 @@ QWidget* TuningDialog::makeLeft() {
     progress_->setTextVisible(false);
     stage_ = makeText({}, TextRole::Caption, search);
     stage_->setObjectName(QStringLiteral("tuning.stage"));
-    for (QWidget* widget : {static_cast<QWidget*>(search_), static_cast<QWidget*>(cancel_),
-                            static_cast<QWidget*>(progress_), static_cast<QWidget*>(stage_)})
+    for (QWidget* widget :
+         {static_cast<QWidget*>(options_), static_cast<QWidget*>(search_), static_cast<QWidget*>(cancel_),
+          static_cast<QWidget*>(progress_), static_cast<QWidget*>(stage_)})
         search->body()->addWidget(widget);
-    left->column()->addWidget(search);
-
-    auto* values = new Card(tr("Values"), left);
-    values_ = new TuningValues(values);
-    values->body()->addWidget(values_);
-    left->column()->addWidget(values);
-    left->column()->addStretch();
-    connect(folder, &QPushButton::clicked, this, [this] {
-        const QString chosen = files_.chooseFolder(this, tr("Folder of trials"), folder_);
-        if (!chosen.isEmpty()) chooseFolder(chosen);
-    });
     connect(search_, &QPushButton::clicked, this, &TuningDialog::search);
     connect(cancel_, &QPushButton::clicked, this, [this] { controller_.tasks().cancel(); });
-    connect(lambda_, &QLineEdit::textEdited, this, &TuningDialog::refresh);
-    connect(metric_, QOverload<int>::of(&QComboBox::activated), this, &TuningDialog::refresh);
-    return left;
+    connect(options_, &TuningOptions::changed, this, &TuningDialog::refresh);
+    return search;
 }
 
 QWidget* TuningDialog::makeRight() {
@@ -144,21 +141,15 @@ QWidget* TuningDialog::makeRight() {
     auto* column = new QVBoxLayout(right);
     column->setContentsMargins(metrics::kPanelMargin_px, metrics::kPanelMargin_px, metrics::kPanelMargin_px,
                                metrics::kPanelMargin_px);
-    surface_ = new CostSurface(right);
-    surface_->setObjectName(QStringLiteral("tuning.surface"));
-    reading_ = makeText({}, TextRole::Body, right);
-    reading_->setObjectName(QStringLiteral("tuning.reading"));
-    leastPoints_ =
-        new ValueSlider(tr("Least points of a candidate"), {0.0, 9.0, 1.0, 3.0, tr("voxels"), 1.0, 0}, right);
-    leastPoints_->setObjectName(QStringLiteral("tuning.leastPoints"));
-    leastPoints_->setHelp(tr("The picture shows the costs at this count; the colours mean the same at every count."));
-    column->addWidget(surface_, 1);
-    column->addWidget(reading_);
-    column->addWidget(leastPoints_);
-    connect(surface_, &CostSurface::cellHovered, this, &TuningDialog::read);
-    connect(surface_, &CostSurface::cellChosen, this, &TuningDialog::choose);
-    connect(leastPoints_, &ValueSlider::valueChanging, this, &TuningDialog::showLeastPoints);
-    connect(leastPoints_, &ValueSlider::valueCommitted, this, &TuningDialog::showLeastPoints);
+    pages_ = new QStackedWidget(right);
+    costPage_ = new CostPage(pages_);
+    photoPage_ = new PhotoPage(pages_);
+    for (TuningPage* page : {static_cast<TuningPage*>(costPage_), static_cast<TuningPage*>(photoPage_)}) {
+        pages_->addWidget(page);
+        values_->addWidget(page->values());
+        connect(page, &TuningPage::chosenChanged, this, &TuningDialog::refresh);
+    }
+    column->addWidget(pages_, 1);
     return right;
 }
 
@@ -179,17 +170,11 @@ QWidget* TuningDialog::makeBottom() {
     auto* close = button(tr("Close"), "tuning.close");
     close->setToolTip(tr("Esc. A search under way goes on"));
     best_ = button(tr("Back to the best"), "tuning.best");
-    best_->setToolTip(tr("Chooses the values of least cost again (Home in the picture)"));
+    best_->setToolTip(tr("Chooses the best values again (Home in the picture)"));
     use_ = button(tr("Use these"), "tuning.use");
     setButtonRole(use_, ButtonRole::Primary);
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
-    connect(best_, &QPushButton::clicked, this, [this] {
-        if (!outcome_) return;
-        chosen_ = outcome_->result.best;
-        leastPoints_->setValue(outcome_->result.leastPoints[chosen_.leastPoints]);
-        showLeastPoints();
-        choose({chosen_.cutoff, chosen_.threshold});
-    });
+    connect(best_, &QPushButton::clicked, this, [this] { page().chooseBest(); });
     connect(use_, &QPushButton::clicked, this, &TuningDialog::use);
     return bottom;
 }
@@ -197,15 +182,7 @@ QWidget* TuningDialog::makeBottom() {
 void TuningDialog::takeInspection() {
     if (!controller_.isOpen()) hide();
     const auto& reference = controller_.state().reference;
-    const QVariant kept = metric_->currentData();
-    metric_->clear();
-    if (reference && reference->hasCovariance())
-        metric_->addItem(tr("Mahalanobis"), static_cast<int>(Metric::Mahalanobis));
-    metric_->addItem(tr("Euclidean"), static_cast<int>(Metric::Euclidean));
-    metric_->addItem(tr("Chi-square"), static_cast<int>(Metric::ChiSquare));
-    const int index = metric_->findData(
-        kept.isValid() ? kept : QVariant(static_cast<int>(controller_.state().parameters.candidates.metric)));
-    metric_->setCurrentIndex(std::max(0, index));
+    options_->offerMetrics(reference && reference->hasCovariance(), controller_.state().parameters.candidates.metric);
     refresh();
 }
 
@@ -226,85 +203,128 @@ void TuningDialog::chooseFolder(const QString& folder) {
         isProblem = true;
     }
     trialsText_->setText(text);
-    trialsText_->setProperty("problem", isProblem);
-    trialsText_->style()->unpolish(trialsText_);
-    trialsText_->style()->polish(trialsText_);
+    markProblem(trialsText_, isProblem);
+    if (const QDir beside(QDir(folder).filePath(QStringLiteral("worlds"))); beside.exists())
+        options_->chooseWorlds(beside.path());
     refresh();
 }
 
-std::optional<double> TuningDialog::lambda_m() const {
-    bool isNumber = false;
-    const double value = lambda_->text().trimmed().replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&isNumber);
-    if (!isNumber || !std::isfinite(value) || value < 0.0) return std::nullopt;
-    return value;
+bool TuningDialog::isForPhotos() const {
+    return options_->objective() == TuningOptions::Objective::Photos;
+}
+
+TuningPage& TuningDialog::page() const {
+    if (isForPhotos()) return *photoPage_;
+    return *costPage_;
 }
 
 QString TuningDialog::searchObstacle() const {
     if (!controller_.state().reference) return tr("load a reference first, in step 1");
     if (folder_.isEmpty()) return tr("choose a folder of trials first");
     if (trials_ == 0) return tr("the folder holds no trial with FOD");
-    if (!lambda_m()) return tr("λ must be a number of metres, 0 or more");
     if (searching_) return tr("a search is under way");
-    return {};
+    return options_->obstacle();
+}
+
+QString TuningDialog::whatASearchDoes() const {
+    if (isForPhotos())
+        return tr("Plans for and photographs every trial at %1 settings; can take minutes")
+            .arg(count(settingCount(usualPhotoGrid(searchedMethod()))));
+    return tr("Tries %1 settings on every trial").arg(count(settingCount({})));
 }
 
 QString TuningDialog::useObstacle() const {
-    if (!outcome_) return tr("search first");
+    const std::optional<CandidateSettings> chosen = page().chosen();
+    if (!chosen) return tr("search first");
     if (controller_.candidatesAreFrozen()) return tr("the visits have begun, so candidates keep their ids");
-    if (settingsAt(outcome_->result, chosen_) == controller_.state().parameters.candidates)
-        return tr("these values are in effect");
+    if (*chosen == controller_.state().parameters.candidates) return tr("these values are in effect");
     return {};
 }
 
 void TuningDialog::refresh() {
+    pages_->setCurrentWidget(&page());
+    values_->setCurrentWidget(page().values());
     const QString obstacle = searchObstacle();
     search_->setEnabled(obstacle.isEmpty());
-    search_->setToolTip(obstacle.isEmpty() ? tr("Tries 30 cutoffs, 20 thresholds and 10 counts of least points on "
-                                                "every trial")
-                                           : tr("Cannot search: %1").arg(obstacle));
+    search_->setToolTip(obstacle.isEmpty() ? whatASearchDoes() : tr("Cannot search: %1").arg(obstacle));
     search_->setVisible(!searching_);
     cancel_->setVisible(searching_);
     progress_->setVisible(searching_);
-    lambda_->setProperty("invalid", !lambda_m());
-    lambda_->style()->unpolish(lambda_);
-    lambda_->style()->polish(lambda_);
     const QString hindrance = useObstacle();
     use_->setEnabled(hindrance.isEmpty());
     use_->setToolTip(hindrance.isEmpty() ? tr("The chosen values become those of the inspection; can be undone")
                                          : tr("Not now: %1").arg(hindrance));
-    best_->setEnabled(outcome_ && !(chosen_ == outcome_->result.best));
-    leastPoints_->setEnabled(outcome_.has_value());
-    if (outcome_) {
-        const CandidateSettings& now = controller_.state().parameters.candidates;
-        if (now.metric == outcome_->result.settings.metric) surface_->setCurrent(now.clusterCutoff_m, now.threshold);
-    }
+    best_->setEnabled(page().canChooseBest());
+    page().markInEffect(controller_.state().parameters.candidates);
+}
+
+CandidateSettings TuningDialog::searchedMethod() const {
+    CandidateSettings method = controller_.state().parameters.candidates;
+    method.metric = options_->metric();
+    return method;
+}
+
+TuningDialog::Measured TuningDialog::measuredNow() const {
+    const Parameters& now = controller_.state().parameters;
+    return {folder_, options_->worlds(), controller_.state().reference, now,
+            now.candidates.metric == Metric::ChiSquare || searchedMethod().metric == Metric::ChiSquare};
+}
+
+bool TuningDialog::isMeasured(const Measured& measured) const {
+    const Measured now = measuredNow();
+    Parameters sameCandidates = measured.parameters;
+    sameCandidates.candidates = now.parameters.candidates;
+    return measured.folder == now.folder && measured.reference == now.reference &&
+           sameFor(ParameterUse::Detection, sameCandidates, now.parameters) &&
+           (measured.hasChiSquare || !now.hasChiSquare);
 }
 
 void TuningDialog::search() {
+    searching_ = true;
+    stage_->clear();
+    refresh();
+    if (isForPhotos())
+        searchForPhotos();
+    else
+        searchForCost();
+}
+
+void TuningDialog::searchForCost() {
     TuningRequest request;
     request.folder = folder_.toStdString();
     request.reference = controller_.state().reference;
     request.parameters = controller_.state().parameters;
-    const CandidateSettings& now = request.parameters.candidates;
-    request.search.metric = static_cast<Metric>(metric_->currentData().toInt());
-    request.search.linkage = now.linkage;
-    request.search.centroid = now.centroid;
-    request.search.lambda_m = lambda_m().value_or(kUnassociatedWeight_m);
-    Parameters sameCandidates = measuredParameters_;
-    sameCandidates.candidates = now;
-    if (outcome_ && measuredFolder_ == folder_ && measuredReference_ == request.reference &&
-        sameFor(ParameterUse::Detection, sameCandidates, request.parameters) &&
-        holds(*outcome_->measured, request.search.metric) && holds(*outcome_->measured, now.metric))
-        request.measured = outcome_->measured;
-    searching_ = true;
-    stage_->clear();
-    refresh();
-    controller_.tasks().run(taskName(), [this, request](Progress& progress) -> TaskRunner::Adopt {
+    const CandidateSettings method = searchedMethod();
+    request.search.metric = method.metric;
+    request.search.linkage = method.linkage;
+    request.search.centroid = method.centroid;
+    request.search.lambda_m = options_->lambda_m().value_or(kUnassociatedWeight_m);
+    if (costPage_->outcome() && isMeasured(costMeasured_)) request.measured = costPage_->outcome()->measured;
+    controller_.tasks().run(taskName(), [this, request, now = measuredNow()](Progress& progress) -> TaskRunner::Adopt {
         const auto outcome = std::make_shared<const TuningOutcome>(runTuning(request, progress));
-        return [this, request, outcome] {
-            measuredFolder_ = QString::fromStdString(request.folder.string());
-            measuredReference_ = request.reference;
-            measuredParameters_ = request.parameters;
+        return [this, now, outcome] {
+            costMeasured_ = now;
+            endTask({}, false);
+            showOutcome(*outcome);
+        };
+    });
+}
+
+void TuningDialog::searchForPhotos() {
+    PhotoTuningRequest request;
+    request.folder = folder_.toStdString();
+    request.worlds = options_->worlds().toStdString();
+    request.reference = controller_.state().reference;
+    request.parameters = controller_.state().parameters;
+    request.search.recall = options_->recall().value_or(PhotoSearchSettings().recall);
+    request.search.grid = usualPhotoGrid(searchedMethod());
+    if (photoPage_->outcome() && isMeasured(photosMeasured_) && photosMeasured_.worlds == options_->worlds() &&
+        sameFor(ParameterUse::Plan, photosMeasured_.parameters, request.parameters))
+        request.measured = photoPage_->outcome()->measured;
+    controller_.tasks().run(taskName(), [this, request, now = measuredNow()](Progress& progress) -> TaskRunner::Adopt {
+        const auto outcome = std::make_shared<const PhotoTuningOutcome>(runPhotoTuning(request, progress));
+        return [this, now, outcome] {
+            photosMeasured_ = now;
             endTask({}, false);
             showOutcome(*outcome);
         };
@@ -321,75 +341,40 @@ void TuningDialog::showTask(const TaskReport& report) {
 void TuningDialog::endTask(const QString& sentence, bool isProblem) {
     searching_ = false;
     stage_->setText(sentence);
-    stage_->setProperty("problem", isProblem);
-    stage_->style()->unpolish(stage_);
-    stage_->style()->polish(stage_);
+    markProblem(stage_, isProblem);
     refresh();
+}
+
+void TuningDialog::tell(const QString& searched, const std::map<std::string, std::string>& failures,
+                        const QString& counts) {
+    QString told = searched;
+    for (const auto& [name, reason] : failures)
+        told += tr(". %1 %2: %3").arg(QString::fromStdString(name), counts, QString::fromStdString(reason));
+    stage_->setText(told);
 }
 
 void TuningDialog::showOutcome(const TuningOutcome& outcome) {
-    outcome_ = outcome;
-    const ParameterSearchResult& result = outcome_->result;
-    chosen_ = result.best;
-    QString told =
-        tr("%1 settings in %2").arg(count(result.costs.size()), counted(result.trialCount, tr("trial"), tr("trials")));
-    for (const auto& [name, reason] : outcome_->measured->failures)
-        told += tr(". %1 counts as without candidates: %2")
-                    .arg(QString::fromStdString(name), QString::fromStdString(reason));
-    stage_->setText(told);
-    values_->setInEffect(outcome_->inEffect, outcome_->costInEffect);
-    surface_->setAxes({tr("cluster cutoff"), QStringLiteral("cm"), 100.0, 0}, thresholdAxis(result.settings.metric));
-    leastPoints_->setRange({static_cast<double>(result.leastPoints.front()),
-                            static_cast<double>(result.leastPoints.back()), 1.0, 3.0, tr("voxels"), 1.0, 0});
-    leastPoints_->setValue(result.leastPoints[chosen_.leastPoints]);
-    showLeastPoints();
-    choose({chosen_.cutoff, chosen_.threshold});
+    options_->chooseObjective(TuningOptions::Objective::Cost);
+    const ParameterSearchResult& result = outcome.result;
+    tell(tr("%1 settings in %2").arg(count(result.costs.size()), counted(result.trialCount, tr("trial"), tr("trials"))),
+         outcome.measured->failures, tr("counts as without candidates"));
+    costPage_->showOutcome(outcome);
 }
 
-std::size_t TuningDialog::leastIndex() const {
-    const std::vector<int>& counts = outcome_->result.leastPoints;
-    const auto wanted = std::ranges::find(counts, static_cast<int>(std::lround(leastPoints_->value())));
-    return wanted == counts.end() ? 0 : static_cast<std::size_t>(wanted - counts.begin());
-}
-
-void TuningDialog::showLeastPoints() {
-    if (!outcome_) return;
-    const CostGrid grid = costGridOf(outcome_->result, leastIndex());
-    surface_->setGrid(grid, costRangeOf(outcome_->result));
-    surface_->setBest(cheapestCell(grid));
-    choose({chosen_.cutoff, chosen_.threshold});
-    read(std::nullopt);
-}
-
-void TuningDialog::choose(const CostCell& cell) {
-    if (!outcome_) return;
-    const ParameterSearchResult& result = outcome_->result;
-    chosen_ = {cell.cutoff, cell.threshold, leastIndex()};
-    surface_->setChosen(cell);
-    values_->setChosen(chosen_ == result.best ? tr("best") : tr("chosen"), settingsAt(result, chosen_),
-                       result.at(chosen_));
+void TuningDialog::showOutcome(const PhotoTuningOutcome& outcome) {
+    options_->chooseObjective(TuningOptions::Objective::Photos);
+    const PhotoSearchResult& result = outcome.result;
+    QString searched = tr("%1 settings in %2")
+                           .arg(count(result.outcomes.size()), counted(result.trialCount, tr("trial"), tr("trials")));
+    if (!result.best) searched += tr(". No setting shows %1 of the FOD").arg(percent(result.settings.recall));
+    tell(searched, outcome.measured ? outcome.measured->failures() : std::map<std::string, std::string>(),
+         tr("shows no FOD"));
+    photoPage_->showOutcome(outcome);
     refresh();
 }
 
-void TuningDialog::read(const std::optional<CostCell>& cell) {
-    if (!outcome_) return;
-    const ParameterSearchResult& result = outcome_->result;
-    if (!cell) {
-        reading_->setText(tr("Point at a place to read it. Dark is good: few metres of cost."));
-        return;
-    }
-    const GridPoint point{cell->cutoff, cell->threshold, leastIndex()};
-    const SearchCost& cost = result.at(point);
-    reading_->setText(tr("Cutoff %1, threshold %2: cost %3 m, distance %4 m, %5 unassociated of %6 candidates a trial")
-                          .arg(centimetres(result.cutoffs_m[point.cutoff]),
-                               discrepancyText(result.thresholds[point.threshold], result.settings.metric),
-                               QLocale().toString(cost.cost, 'f', 3), QLocale().toString(cost.distance_m, 'f', 3),
-                               QLocale().toString(cost.unassociatedCandidates, 'f', 1),
-                               QLocale().toString(cost.candidates, 'f', 1)));
-}
-
 void TuningDialog::use() {
-    if (outcome_) controller_.commitCandidates(settingsAt(outcome_->result, chosen_));
+    if (const std::optional<CandidateSettings> chosen = page().chosen()) controller_.commitCandidates(*chosen);
 }
 
 }  // namespace fodscope

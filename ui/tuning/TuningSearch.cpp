@@ -20,6 +20,12 @@ TuningOutcome runTuning(const TuningRequest& request, Progress& progress) {
 
 SearchCost costOf(std::span<const SearchTrial> trials, const CandidateSettings& settings, double lambda_m,
                   Progress& progress) {
+    ParameterSearchSettings one = gridOf(settings);
+    one.lambda_m = lambda_m;
+    return searchParameters(trials, one, progress).at({0, 0, 0});
+}
+
+ParameterSearchSettings gridOf(const CandidateSettings& settings) {
     ParameterSearchSettings one;
     one.metric = settings.metric;
     one.linkage = settings.linkage;
@@ -29,8 +35,7 @@ SearchCost costOf(std::span<const SearchTrial> trials, const CandidateSettings& 
     one.lowestThreshold = one.highestThreshold = settings.threshold;
     one.thresholdCount = 1;
     one.lowestLeastPoints = one.highestLeastPoints = settings.minimumPoints;
-    one.lambda_m = lambda_m;
-    return searchParameters(trials, one, progress).at({0, 0, 0});
+    return one;
 }
 
 CostGrid costGridOf(const ParameterSearchResult& result, std::size_t leastPoints) {

@@ -38,6 +38,9 @@ TuningOutcome runTuning(const TuningRequest& request, Progress& progress);
 SearchCost costOf(std::span<const SearchTrial> trials, const CandidateSettings& settings, double lambda_m,
                   Progress& progress);
 
+/// @return a grid of this one setting, as a search takes it
+ParameterSearchSettings gridOf(const CandidateSettings& settings);
+
 /// The part of a result at one count of least points.
 CostGrid costGridOf(const ParameterSearchResult& result, std::size_t leastPoints);
 /// Over all least points, so that colours keep their meaning from one to the next.

@@ -3,22 +3,14 @@
 
 #include <QGridLayout>
 #include <QLabel>
-#include <QLocale>
 
-#include "core/evaluation/ParameterSearch.h"
+#include "core/detection/Candidates.h"
 #include "ui/panels/Format.h"
 #include "ui/theme/Theme.h"
 
 namespace fodscope {
-namespace {
 
-QString metres(double value) {
-    return QObject::tr("%1 m").arg(QLocale().toString(value, 'f', 3));
-}
-
-}  // namespace
-
-TuningValues::TuningValues(QWidget* parent) : QWidget(parent) {
+TuningValues::TuningValues(const std::vector<Row>& outcome, QWidget* parent) : QWidget(parent) {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(12);
@@ -32,15 +24,10 @@ TuningValues::TuningValues(QWidget* parent) : QWidget(parent) {
     };
     heading_ = header(tr("best"), 1);
     header(tr("in effect"), 2);
-    const std::pair<QString, QString> rows[] = {
-        {tr("Threshold"), tr("Voxels whose smoothed discrepancy is greater are discrepant")},
-        {tr("Cutoff"), tr("Clusters at most this far apart are one candidate")},
-        {tr("Least points"), tr("Candidates with fewer voxels are dropped")},
-        {tr("Cost"), tr("Mean distance from a FOD to its nearest candidate, plus λ for every candidate that is no "
-                        "FOD's nearest one; mean over the trials")},
-        {tr("Distance"), tr("Mean distance from a FOD to its nearest candidate; 7.5 m in a trial without candidates")},
-        {tr("Unassociated"), tr("Candidates in a trial that are no FOD's nearest one")},
-        {tr("Candidates"), tr("Candidates in a trial")}};
+    std::vector<Row> rows{{tr("Threshold"), tr("Voxels whose smoothed discrepancy is greater are discrepant")},
+                          {tr("Cutoff"), tr("Clusters at most this far apart are one candidate")},
+                          {tr("Least points"), tr("Candidates with fewer voxels are dropped")}};
+    rows.insert(rows.end(), outcome.begin(), outcome.end());
     int row = 1;
     for (const auto& [name, help] : rows) {
         auto* label = new QLabel(name, this);
@@ -59,25 +46,22 @@ TuningValues::TuningValues(QWidget* parent) : QWidget(parent) {
     }
 }
 
-void TuningValues::fill(std::size_t column, const CandidateSettings& settings, const SearchCost& cost) {
-    const QString texts[] = {discrepancyText(settings.threshold, settings.metric),
-                             centimetres(settings.clusterCutoff_m),
-                             QString::number(settings.minimumPoints),
-                             metres(cost.cost),
-                             metres(cost.distance_m),
-                             QLocale().toString(cost.unassociatedCandidates, 'f', 1),
-                             QLocale().toString(cost.candidates, 'f', 1)};
+void TuningValues::fill(std::size_t column, const CandidateSettings& settings, const QStringList& outcome) {
+    const QStringList texts =
+        QStringList{discrepancyText(settings.threshold, settings.metric), centimetres(settings.clusterCutoff_m),
+                    QString::number(settings.minimumPoints)} +
+        outcome;
     for (std::size_t i = 0; i < columns_[column].size(); ++i)
-        columns_[column][i]->setText(texts[i]);
+        columns_[column][i]->setText(texts.value(static_cast<int>(i), QStringLiteral("–")));
 }
 
-void TuningValues::setChosen(const QString& heading, const CandidateSettings& settings, const SearchCost& cost) {
+void TuningValues::setChosen(const QString& heading, const CandidateSettings& settings, const QStringList& outcome) {
     heading_->setText(heading);
-    fill(0, settings, cost);
+    fill(0, settings, outcome);
 }
 
-void TuningValues::setInEffect(const CandidateSettings& settings, const SearchCost& cost) {
-    fill(1, settings, cost);
+void TuningValues::setInEffect(const CandidateSettings& settings, const QStringList& outcome) {
+    fill(1, settings, outcome);
 }
 
 }  // namespace fodscope

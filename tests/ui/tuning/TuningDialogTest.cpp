@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -13,6 +14,7 @@
 #include "ui/session/FileDialogs.h"
 #include "ui/session/InspectionController.h"
 #include "ui/tuning/CostSurface.h"
+#include "ui/tuning/RecallPlot.h"
 
 namespace fodscope::test {
 namespace {
@@ -64,6 +66,29 @@ TuningOutcome sampleOutcome() {
     outcome.inEffect.clusterCutoff_m = 0.3;
     outcome.costInEffect = costOf(outcome.measured->trials, outcome.inEffect, search.lambda_m, progress);
     return outcome;
+}
+
+/// Ten FOD. The lower threshold shows nine of them on 20 photos, the upper one six on 8; the cutoffs make no
+/// difference. In effect is a setting between, with 15 photos of which 9 show FOD.
+PhotoTuningOutcome samplePhotos() {
+    PhotoTuningOutcome tuning;
+    PhotoSearchResult& result = tuning.result;
+    result.settings.recall = 0.8;
+    result.settings.grid.metric = Metric::Euclidean;
+    result.trialCount = 3;
+    result.fodCount = 10;
+    result.cutoffs_m = {0.2, 0.4};
+    result.thresholds = {0.02, 0.04};
+    result.leastPoints = {3};
+    const PhotoOutcome many{20, 12, 9, 22, 2};
+    const PhotoOutcome few{8, 8, 6, 9, 1};
+    result.outcomes = {many, few, many, few};
+    result.curve = {{{0, 1, 0}, few}, {{0, 0, 0}, many}};
+    result.best = result.curve[1];
+    tuning.inEffect = result.settingsAt({0, 0, 0});
+    tuning.inEffect.threshold = 0.03;
+    tuning.outcomeInEffect = PhotoOutcome{15, 9, 7, 15, 0};
+    return tuning;
 }
 
 class Tuning : public ::testing::Test {
@@ -140,6 +165,54 @@ TEST_F(Tuning, AnotherCellCanBeChosenAndTheBestOneAgain) {
     EXPECT_EQ(surface->chosen(), (CostCell{29, 19}));
     QTest::mouseClick(find<QPushButton>("tuning.best"), Qt::LeftButton);
     EXPECT_EQ(surface->chosen(), (CostCell{outcome.result.best.cutoff, outcome.result.best.threshold}));
+}
+
+TEST_F(Tuning, OperatingPointLiesOnTheCurveOnceItsValuesAreUsed) {
+    const PhotoTuningOutcome tuning = samplePhotos();
+    controller.commitCandidates(tuning.inEffect);
+    dialog->showOutcome(tuning);
+    saveScreenshot(*dialog, "tuning-photos");
+    auto* plot = find<RecallPlot>("tuning.plot");
+    ASSERT_TRUE(plot->isVisible());
+    EXPECT_EQ(plot->inEffect(), (RecallPoint{0.7, 0.6, 15}));
+    EXPECT_EQ(plot->chosen(), 1u) << "the fewest photos with the wanted recall";
+    QTest::mouseClick(find<QPushButton>("tuning.use"), Qt::LeftButton);
+    EXPECT_EQ(controller.state().parameters.candidates, tuning.result.settingsAt({0, 0, 0}));
+    EXPECT_EQ(plot->inEffect(), (RecallPoint{0.9, 0.6, 20}));
+    controller.undo();
+    EXPECT_EQ(plot->inEffect(), (RecallPoint{0.7, 0.6, 15}));
+}
+
+TEST_F(Tuning, OperatingPointOfSettingsThatWereNotSearchedIsUnknown) {
+    PhotoTuningOutcome tuning = samplePhotos();
+    dialog->showOutcome(tuning);
+    EXPECT_FALSE(find<RecallPlot>("tuning.plot")->inEffect().has_value());
+}
+
+TEST_F(Tuning, RecallOutOfReachIsToldAndTheMostThatCanBeReachedIsChosen) {
+    PhotoTuningOutcome tuning = samplePhotos();
+    tuning.result.settings.recall = 1.0;
+    tuning.result.best.reset();
+    dialog->showOutcome(tuning);
+    EXPECT_TRUE(find<QLabel>("tuning.stage")->text().contains("100"));
+    EXPECT_EQ(find<RecallPlot>("tuning.plot")->chosen(), 1u);
+    EXPECT_FALSE(find<QPushButton>("tuning.best")->isEnabled());
+}
+
+TEST_F(Tuning, PhotosAreSearchedForWithARecallAndWorldsOnly) {
+    auto* objective = find<QComboBox>("tuning.objective");
+    EXPECT_FALSE(find<QLineEdit>("tuning.recall")->isVisible());
+    objective->setFocus();
+    QTest::keyClick(objective, Qt::Key_Down);
+    EXPECT_TRUE(find<QLineEdit>("tuning.recall")->isVisible());
+    EXPECT_FALSE(find<QLineEdit>("tuning.lambda")->isVisible());
+    auto* recall = find<QLineEdit>("tuning.recall");
+    recall->clear();
+    QTest::keyClicks(recall, "101");
+    EXPECT_TRUE(recall->property("invalid").toBool());
+    recall->clear();
+    QTest::keyClicks(recall, "95");
+    EXPECT_FALSE(recall->property("invalid").toBool());
 }
 
 }  // namespace
